@@ -76,13 +76,11 @@ void hand_three(benchmark::State& state) {
 void explorations(benchmark::State& state, ExploringBody body) {
   const ObjectTable things = default_things(body).value();
   const auto explorer = simulated_explorer(body, things, {}, 1).value();
-  const std::size_t count = explorer->things().size();
-  const ExploringPlan plan{count, 2, static_cast<std::size_t>(state.range(0))};
+  const auto threads = static_cast<std::size_t>(state.range(0));
   std::size_t explored = 0;
   for (auto _ : state) {
-    const auto outcome = explore_all(
-        plan, [&](std::size_t thing, std::size_t trial) { return explorer->explore(thing, trial); },
-        [](Exploration&&) { return Result<void>(); });
+    const auto outcome =
+        explore_all(*explorer, {2}, threads, {}, [](Exploration&&) { return Result<void>(); });
     explored += outcome.value().recorded;
   }
   state.counters["explorations"] =

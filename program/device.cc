@@ -146,7 +146,8 @@ ServoGuard::~ServoGuard() {
 }
 
 Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
-                                                  const std::string& output) {
+                                                  const std::string& output,
+                                                  PermittedBy permitted) {
   SOMATO_TRY(const auto file, read_checked_device(arguments.text("device")));
   SOMATO_TRY(auto things, explored_things(arguments, file));
   SOMATO_TRY(auto exploring, read_settings(arguments));
@@ -155,12 +156,14 @@ Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
   surroundings.place = [file](const ExploredThing& thing, std::size_t trial) {
     return place(file, thing, trial);
   };
+  if (permitted == PermittedBy::kTerminal) surroundings.permit = permit_by_person;
   std::vector<Object> objects;
   for (const ExploredThing& thing : things) {
     if (thing.object) objects.push_back(*thing.object);
   }
   surroundings.scenes = recorded_scenes(std::move(objects));
   surroundings.on_switch = guard;
+  surroundings.continued = count_continuations();
   surroundings.watch = watch_stop_key;
   surroundings.keep_log = [output](const devices::StateLog& log) { return keep_log(output, log); };
   return devices::DeviceExplorer::create(file, std::move(things), std::move(exploring),

@@ -37,12 +37,16 @@ class ServoGuard {
   ~ServoGuard();
 };
 
+/// Where a person lets a device move again after a fault: at the terminal, or in a page, which
+/// calls Explorer::resume().
+enum class PermittedBy { kTerminal, kPage };
+
 /// An explorer of the device `file` at `path`, for the objects or materials of --objects, or of the
 /// body that it stands for; the parameters of --settings. Nothing moves before it explores. A
 /// person is requested to place each thing, unless an emulator does. `output` names the file
 /// beside which the last states of a stopped device are saved. Errors (kUsage): no table of
 /// objects; things without the shape that a hand requires.
 Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
-                                                  const std::string& output);
+                                                  const std::string& output, PermittedBy permitted);
 
 }  // namespace somato::program

@@ -15,6 +15,7 @@
 #include "devices/calibration.h"
 #include "devices/device_body.h"
 #include "files/whole_file.h"
+#include "placing.h"
 #include "terminal.h"
 
 namespace somato::program {
@@ -48,6 +49,17 @@ Result<std::optional<std::string>> next_line(DeviceBody& body) {
     }
   }
   return fail(ErrorKind::kInterrupted, "calibrating was interrupted; the file is unchanged");
+}
+
+// Nothing moves before a person says so: a controller that does not know where the servo is lets it
+// jump.
+Result<void> permit_jump(const ServoSettings& servo) {
+  fmt::print(
+      "The position of the servo \"{}\" is unknown: when you press Enter, it jumps to {:g} "
+      "{}. Take your hands away.\n",
+      servo.name, servo.resting(), servo.unit);
+  std::fflush(stdout);
+  return wait_for_enter();
 }
 
 // Moves one servo and keeps what is said about its positions.
@@ -141,7 +153,7 @@ Result<void> run_calibrate(const Arguments& arguments) {
   SOMATO_TRY(const auto one, devices::one_servo(file, arguments.text("servo")));
   catch_stop_requests();
   SOMATO_TRY(const auto lines, open_lines(one));
-  SOMATO_TRY(const auto body, DeviceBody::start(one, *lines));
+  SOMATO_TRY(const auto body, DeviceBody::start(one, *lines, permit_jump));
   const ServoGuard guard(*lines, body->relax_bytes());
   const auto servo = std::find_if(file.servos.begin(), file.servos.end(), [&](const auto& each) {
     return each.name == one.servos.front().name;

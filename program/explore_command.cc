@@ -62,13 +62,28 @@ Result<ObjectTable> read_things(const Arguments& arguments, ExploringBody body) 
 }
 
 struct Request {
-  std::unique_ptr<GraspPictures> pictures;  // or nullptr
-  std::unique_ptr<Explorer> explorer;
-  ExploringPlan plan;
+  std::unique_ptr<GraspPictures> pictures;             // or nullptr
+  std::unique_ptr<Explorer> real;                      // One of these two.
+  std::unique_ptr<const SimulatedExplorer> simulated;  // Ends before its pictures.
+  std::size_t each = 5;
+  std::size_t threads = 1;
   std::string output;
   std::string image_folder;
   std::size_t longest = 600;  // s of the body's time
+
+  const std::vector<ExploredThing>& things() const {
+    return real ? real->things() : simulated->things();
+  }
 };
+
+// Explorations of a real body follow each other; only simulated ones are made at the same time.
+Result<ExploringOutcome> explore_things(const Request& request, const ExplorationSink& sink) {
+  const ExploreOptions options{
+      .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
+  const Progress progress = terminal_progress("exploring");
+  if (request.real) return explore_all(*request.real, {request.each}, options, sink, progress);
+  return explore_all(*request.simulated, {request.each}, request.threads, options, sink, progress);
+}
 
 // Flags of simulated bodies that a device or topics would ignore.
 Result<void> check_real_flags(const Arguments& arguments, const std::string& source) {
@@ -83,22 +98,24 @@ Result<void> check_real_flags(const Arguments& arguments, const std::string& sou
   return fail(ErrorKind::kUsage, "has no effect with " + source, given.front(), "omit it");
 }
 
-// A device or the topics of a robot, whose explorations follow each other.
+// A device or the topics of a robot.
 Result<Request> real_request(const Arguments& arguments, const std::string& source,
                              const std::function<Result<std::unique_ptr<Explorer>>()>& make) {
   SOMATO_TRY_VOID(check_real_flags(arguments, source));
   SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
   SOMATO_TRY(auto longest, arguments.number("longest", 1));
-  SOMATO_TRY(auto explorer, make());
-  const std::size_t count = explorer->things().size();
-  return Request{
-      nullptr, std::move(explorer),  {count, explorations.value_or(5), 1}, arguments.text("output"),
-      {},      longest.value_or(600)};
+  Request request;
+  SOMATO_TRY(request.real, make());
+  request.each = explorations.value_or(5);
+  request.output = arguments.text("output");
+  request.longest = longest.value_or(600);
+  return request;
 }
 
 Result<Request> read_device_request(const Arguments& arguments) {
-  return real_request(arguments, "--device",
-                      [&] { return device_explorer(arguments, arguments.text("output")); });
+  return real_request(arguments, "--device", [&] {
+    return device_explorer(arguments, arguments.text("output"), PermittedBy::kTerminal);
+  });
 }
 
 Result<Request> read_topic_request(const Arguments& arguments) {
@@ -123,14 +140,18 @@ Result<Request> read_request(const Arguments& arguments) {
   SOMATO_TRY(auto explorations, arguments.number("explorations", 1));
   SOMATO_TRY(auto longest, arguments.number("longest", 1));
   SOMATO_TRY(auto threads, read_threads(arguments));
-  const std::string image_folder = arguments.text("images");
-  auto pictures = image_folder.empty() ? nullptr : std::make_unique<GraspPictures>(image_folder);
-  SOMATO_TRY(auto explorer,
-             simulated_explorer(body, things, parameters, seed.value_or(1), pictures.get()));
-  const std::size_t count = explorer->things().size();
-  return Request{
-      std::move(pictures),      std::move(explorer), {count, explorations.value_or(5), threads},
-      arguments.text("output"), image_folder,        longest.value_or(600)};
+  Request request;
+  request.image_folder = arguments.text("images");
+  if (!request.image_folder.empty()) {
+    request.pictures = std::make_unique<GraspPictures>(request.image_folder);
+  }
+  SOMATO_TRY(request.simulated, simulated_explorer(body, things, parameters, seed.value_or(1),
+                                                   request.pictures.get()));
+  request.each = explorations.value_or(5);
+  request.threads = threads;
+  request.output = arguments.text("output");
+  request.longest = longest.value_or(600);
+  return request;
 }
 
 // The number of frames per step of a hand's exploration; of a probe, of its only channel.
@@ -166,7 +187,7 @@ void report_failures(const Request& request, const ExploringOutcome& outcome) {
   std::string text;
   for (std::size_t i = 0; i < std::min(count, kShown); ++i) {
     const FailedExploration& failure = outcome.failures[i];
-    text += fmt::format("somato: {}, trial {}: {}\n", request.explorer->things()[failure.item].name,
+    text += fmt::format("somato: {}, trial {}: {}\n", request.things()[failure.thing].name,
                         failure.trial + 1, to_string(failure.error));
   }
   if (count > kShown) text += fmt::format("somato: and {} more\n", count - kShown);
@@ -185,11 +206,13 @@ Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
     return fail(std::move(error));
   }
   if (outcome.failures.empty()) return {};
-  const std::size_t planned = request.plan.items * request.plan.explorations_each;
+  const std::size_t planned = request.things().size() * request.each;
   const std::size_t failed = outcome.failures.size();
   const std::size_t left = planned - failed - outcome.recorded;
+  // After a fault a device ends: not everything was tried.
+  const bool has_ended = outcome.failures.back().error.kind == ErrorKind::kUnavailable;
   return fail(
-      ErrorKind::kIncomplete,
+      has_ended ? ErrorKind::kUnavailable : ErrorKind::kIncomplete,
       fmt::format("{} of {} explorations failed and are not recorded{}", failed, planned,
                   left > 0 ? fmt::format("; the other {} were not begun", left) : std::string()),
       request.output);
@@ -201,12 +224,7 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
     spread.add(exploration);
     return file.add(std::move(exploration));
   };
-  const ExploreOptions options{
-      .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
-  const auto explore = [&](std::size_t thing, std::size_t trial) {
-    return request.explorer->explore(thing, trial, options);
-  };
-  auto outcome = explore_all(request.plan, explore, sink, terminal_progress("exploring"));
+  auto outcome = explore_things(request, sink);
   const bool interrupted = !outcome && outcome.error().kind == ErrorKind::kInterrupted;
   if (!outcome && !interrupted) return fail(std::move(outcome.error()));
   const std::size_t recorded = spread.count();
@@ -218,7 +236,7 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   if (recorded == 0) return fail(std::move(outcome.error()));
   SOMATO_TRY_VOID(file.finish());
   print_summary(fmt::format("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
-                            counted(request.plan.items, "thing"), spread.text()));
+                            counted(request.things().size(), "thing"), spread.text()));
   if (!interrupted) return judge(request, *outcome);
   outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
   return fail(std::move(outcome.error()));

@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "device.h"
 #include "explore_table.h"
 #include "somato/simulation/simulated_explorer.h"
 #include "topics.h"
@@ -20,20 +19,31 @@ Result<ExploringBody> read_one_body(const Arguments& arguments) {
   });
 }
 
-Result<BodySession> simulated_session(const Arguments& arguments, std::uint64_t seed) {
+// The body of --body, and its things.
+struct ChosenBody {
+  ExploringBody body;
+  ObjectTable things;
+};
+
+Result<ChosenBody> chosen_body(const Arguments& arguments) {
   SOMATO_TRY(const auto body, read_one_body(arguments));
   SOMATO_TRY(auto things,
              arguments.has("objects") ? read_objects(arguments) : default_things(body));
-  SOMATO_TRY(auto explorer, simulated_explorer(body, things, {}, seed));
-  const std::string name = choice_name(body);
-  return BodySession{name, name, std::move(things.objects), std::move(explorer)};
+  return ChosenBody{body, std::move(things)};
+}
+
+Result<BodySession> simulated_session(const Arguments& arguments, std::uint64_t seed) {
+  SOMATO_TRY(auto chosen, chosen_body(arguments));
+  SOMATO_TRY(auto explorer, simulated_explorer(chosen.body, chosen.things, {}, seed));
+  const std::string name = choice_name(chosen.body);
+  return BodySession{name, name, std::move(chosen.things.objects), std::move(explorer)};
 }
 
 // The last states of a device that stopped are saved beside the recording.
-Result<BodySession> device_session(const Arguments& arguments) {
+Result<BodySession> device_session(const Arguments& arguments, PermittedBy permitted) {
   const std::string beside = arguments.has("output") ? arguments.text("output") : "somato";
   SOMATO_TRY(const auto file, read_checked_device(arguments.text("device")));
-  SOMATO_TRY(auto explorer, device_explorer(arguments, beside));
+  SOMATO_TRY(auto explorer, device_explorer(arguments, beside, permitted));
   BodySession session{file.settings.name, file.settings.body, {}, std::move(explorer)};
   for (const ExploredThing& thing : session.explorer->things()) {
     if (thing.object) session.objects.push_back(*thing.object);
@@ -43,13 +53,21 @@ Result<BodySession> device_session(const Arguments& arguments) {
 
 }  // namespace
 
-Result<BodySession> body_session(const Arguments& arguments, std::uint64_t seed) {
+Result<BodySession> body_session(const Arguments& arguments, std::uint64_t seed,
+                                 PermittedBy permitted) {
   SOMATO_TRY_VOID(check_topic_flags(arguments));
   if (arguments.has("topics")) return topic_session(arguments);
   if (arguments.has("body") && arguments.has("device")) {
     return fail(ErrorKind::kUsage, "a body and a device are given", "--device", "omit one of them");
   }
-  return arguments.has("device") ? device_session(arguments) : simulated_session(arguments, seed);
+  return arguments.has("device") ? device_session(arguments, permitted)
+                                 : simulated_session(arguments, seed);
+}
+
+Result<std::unique_ptr<SimulatedExplorer>> chosen_simulation(const Arguments& arguments,
+                                                             std::uint64_t seed) {
+  SOMATO_TRY(const auto chosen, chosen_body(arguments));
+  return simulated_explorer(chosen.body, chosen.things, {}, seed);
 }
 
 Result<std::size_t> find_thing(const Explorer& explorer, const std::string& name) {

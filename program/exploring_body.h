@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "device.h"
 #include "somato/bodies/explorer.h"
 #include "somato/bodies/object_table.h"
 
@@ -22,10 +23,16 @@ struct BodySession {
 };
 
 /// The body named by --body, or the device of --device, which explores what --objects names, or the
-/// topics of --topics.
+/// topics of --topics; `permitted` concerns a device.
 /// Errors: kUsage for an unknown body, and for a choice that consists of several bodies; those of
 /// the objects and of device_explorer().
-Result<BodySession> body_session(const Arguments& arguments, std::uint64_t seed);
+Result<BodySession> body_session(const Arguments& arguments, std::uint64_t seed,
+                                 PermittedBy permitted);
+
+/// The simulated body of --body once more, for explorations beside those of the session. Errors:
+/// those of body_session().
+Result<std::unique_ptr<SimulatedExplorer>> chosen_simulation(const Arguments& arguments,
+                                                             std::uint64_t seed);
 
 /// The number of a thing. Errors: kUsage with the nearest name.
 Result<std::size_t> find_thing(const Explorer& explorer, const std::string& name);

@@ -188,7 +188,8 @@ Command live_command() {
         "Factor of the original speed, 0.05 to 100, or max: without waiting. Default: 1"},
        {"--view",
         "Show the explorations in a browser at the same time, like 'somato view'; they begin with "
-        "the first viewer, and the view stays open until Ctrl-C",
+        "the first viewer, or with --device after a press of Start, and the view stays open until "
+        "Ctrl-C",
         false, false}},
       {},
       run_live};

@@ -71,7 +71,8 @@ Result<std::vector<PlannedExploration>> planned(const Arguments& arguments,
 
 Result<ViewSource> body_source(const Arguments& arguments) {
   SOMATO_TRY(const auto seed, arguments.number("seed", 0));
-  SOMATO_TRY(auto session, body_session(arguments, seed.value_or(1)));
+  const auto permitted = arguments.has("view") ? PermittedBy::kPage : PermittedBy::kTerminal;
+  SOMATO_TRY(auto session, body_session(arguments, seed.value_or(1), permitted));
   SOMATO_TRY(auto source, explorer_source(arguments, std::move(session.explorer)));
   source.name = std::move(session.name);
   source.scenes = recorded_scenes(std::move(session.objects));
@@ -90,8 +91,7 @@ Result<ViewSource> replayed_source(const Arguments& arguments) {
 
 }  // namespace
 
-Result<ViewSource> explorer_source(const Arguments& arguments,
-                                   std::unique_ptr<const Explorer> explorer) {
+Result<ViewSource> explorer_source(const Arguments& arguments, std::unique_ptr<Explorer> explorer) {
   ViewSource source;
   SOMATO_TRY(source.plan, planned(arguments, *explorer));
   source.thing = source.plan.front().thing;

@@ -16,7 +16,6 @@ Result<ViewSource> live_source(const Arguments& arguments);
 /// A source of which `explorer`, any body, explores its things, each `explorations` times before
 /// the next one; with --object only that thing. Errors (kUsage): no such thing; too many
 /// explorations for a session.
-Result<ViewSource> explorer_source(const Arguments& arguments,
-                                   std::unique_ptr<const Explorer> explorer);
+Result<ViewSource> explorer_source(const Arguments& arguments, std::unique_ptr<Explorer> explorer);
 
 }  // namespace somato::program

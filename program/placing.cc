@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -9,9 +10,7 @@
 #include "terminal.h"
 
 namespace somato::program {
-namespace {
 
-// Waits for a line from a person.
 Result<void> wait_for_enter() {
   constexpr int kPollMs = 100;
   for (;;) {
@@ -20,17 +19,31 @@ Result<void> wait_for_enter() {
     if (poll(&input, 1, kPollMs) <= 0) continue;
     char byte = 0;
     if (::read(STDIN_FILENO, &byte, 1) <= 0) {
-      return fail(ErrorKind::kInterrupted, "the input ended before the object was placed");
+      return fail(ErrorKind::kInterrupted, "the input ended before Enter was pressed");
     }
     if (byte == '\n') return {};
   }
 }
 
-}  // namespace
-
 Result<void> place_by_person(const ExploredThing& thing, std::size_t trial) {
   fmt::print(stderr, "Place {} (trial {}), take your hands away, and press Enter.\n", thing.name,
              trial + 1);
+  return wait_for_enter();
+}
+
+Result<void> permit_by_person(const Error& fault) {
+  if (isatty(STDIN_FILENO) != 1) {
+    return fail(ErrorKind::kUnavailable,
+                "a fault has stopped the device, and there is no terminal at which a person lets "
+                "it move again",
+                {}, "remove the cause of the fault, and run the command again");
+  }
+  tcflush(STDIN_FILENO, TCIFLUSH);  // Enter before the fault permits nothing.
+  fmt::print(
+      stderr,
+      "somato: {}\nThe device has stopped. Remove the cause, take your hands away, and press "
+      "Enter to explore on, or Ctrl-C to end.\n",
+      to_string(fault));
   return wait_for_enter();
 }
 

@@ -60,6 +60,7 @@ Result<void> ReadingSession::note_taught(const live::TaughtName& name) {
 
 void ReadingSession::report(const Error& failure) {
   ++failures_;
+  last_failure_ = failure.kind;
   std::fputs(fmt::format("somato: {}\n", printable(to_string(failure))).c_str(), stderr);
 }
 
@@ -87,7 +88,8 @@ Result<void> ReadingSession::outcome() const {
     return fail(ErrorKind::kInterrupted, "stopped before all explorations were read");
   }
   if (!*done_ || failures_ == 0) return *done_;
-  return fail(ErrorKind::kIncomplete,
+  const bool has_ended = last_failure_ == ErrorKind::kUnavailable;
+  return fail(has_ended ? ErrorKind::kUnavailable : ErrorKind::kIncomplete,
               fmt::format("{} failed and have no reading", counted(failures_, "exploration")));
 }
 

@@ -60,6 +60,7 @@ class ReadingSession {
   std::size_t taught_ = 0;
   bool is_checked_ = false;
   std::size_t failures_ = 0;
+  std::optional<ErrorKind> last_failure_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<Result<void>> done_;

@@ -31,13 +31,12 @@ Result<ObjectTable> things_for(const ExploreTable& table, bool new_objects) {
   return find_object_table(objects, materials);
 }
 
-Result<void> explore_into(const std::string& path, const Explorer& explorer,
-                          const ExploringPlan& plan, const std::string& name) {
+Result<void> explore_into(const std::string& path, const SimulatedExplorer& explorer,
+                          std::size_t each, std::size_t threads, const std::string& name) {
   SOMATO_TRY(auto file, RecordingFile::begin(path));
   const ExploreOptions options{{.should_continue = [] { return !stop_requested(); }}};
   const auto explored = explore_all(
-      plan,
-      [&](std::size_t thing, std::size_t trial) { return explorer.explore(thing, trial, options); },
+      explorer, {each}, threads, options,
       [&](Exploration&& exploration) { return file.add(std::move(exploration)); },
       terminal_progress("exploring " + name));
   if (!explored) {
@@ -131,7 +130,7 @@ Result<void> ExploredRecordings::explore(const ExploreTable& table, bool new_obj
   SOMATO_TRY(const auto explorer,
              simulated_explorer(table.explore.body, things, table.exploring, seed));
   const std::size_t each = new_objects ? 1 : table.explore.explorations;
-  return explore_into(path, *explorer, {explorer->things().size(), each, threads_}, name);
+  return explore_into(path, *explorer, each, threads_, name);
 }
 
 Result<PairedRecording> ExploredRecordings::explored(const ExploreTable& table, bool new_objects,

@@ -17,6 +17,7 @@ namespace {
 
 // Lock-free, so that a signal may set it.
 std::atomic<int> interrupted = 0;
+std::atomic<std::size_t> continuations = 0;
 std::atomic<bool> quiet = false;
 std::atomic<bool> logs = false;
 std::atomic<void (*)(int)> last_handler = SIG_DFL;
@@ -133,6 +134,11 @@ void on_last_signal(void (*handler)(int)) {
 
 bool stop_requested() {
   return interrupted != 0;
+}
+
+std::function<std::size_t()> count_continuations() {
+  std::signal(SIGCONT, [](int /*signal*/) { ++continuations; });
+  return [] { return continuations.load(); };
 }
 
 int stop_signal() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 
 #include "somato/core/progress.h"
@@ -26,6 +28,9 @@ void on_last_signal(void (*handler)(int));
 
 /// Whether Ctrl-C has been pressed since catch_stop_requests().
 bool stop_requested();
+
+/// Counts from now on how often the program is continued after it was stopped, as by Ctrl-Z.
+std::function<std::size_t()> count_continuations();
 
 /// The signal that requested it; SIGINT if there was none.
 int stop_signal();

@@ -57,7 +57,7 @@ Result<void> read_recordings(const std::vector<std::string>& paths, ViewSource& 
 }
 
 Result<ViewSource> body_source(const Arguments& arguments) {
-  SOMATO_TRY(auto session, body_session(arguments, kSeed));
+  SOMATO_TRY(auto session, body_session(arguments, kSeed, PermittedBy::kPage));
   SOMATO_TRY(const auto thing, arguments.has("object")
                                    ? find_thing(*session.explorer, arguments.text("object"))
                                    : Result<std::size_t>(0));

@@ -4,18 +4,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "exploring_body.h"
-#include "somato/bodies/exploring.h"
 
 namespace somato::program {
 namespace {
@@ -61,39 +58,18 @@ std::vector<std::size_t> all_things(const Explorer& explorer) {
   return things;
 }
 
-// Each of these things once.
-Result<Recording> explore(const Explorer& explorer, const std::vector<std::size_t>& things,
-                          std::size_t round, const std::function<bool()>& should_continue) {
-  Recording recording;
-  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
-  auto explored = explore_all(
-      {things.size(), 1, threads},
-      [&](std::size_t place, std::size_t) {
-        ExploreOptions options;
-        options.limits.should_continue = should_continue;
-        return explorer.explore(things[place], round, options);
-      },
-      [&](Exploration&& exploration) -> Result<void> {
-        recording.explorations.push_back(std::move(exploration));
-        return {};
-      },
-      [&](std::uint64_t, std::uint64_t) { return should_continue(); });
-  if (!explored) return fail(std::move(explored.error()));
-  return recording;
-}
-
 }  // namespace
 
 Result<void> prepare_system(const Arguments& arguments, const std::string& body,
                             ViewSource& source) {
-  const Beginning* beginning = beginning_of(body);
+  const Beginning* beginning = arguments.has("body") ? beginning_of(body) : nullptr;
   if (beginning == nullptr || source.explorer->things().size() < 2) return {};
   const auto found =
       std::find_if(source.systems.begin(), source.systems.end(),
                    [&](const ViewSystem& one) { return one.name == beginning->system; });
   if (found == source.systems.end()) return {};
-  SOMATO_TRY(auto session, body_session(arguments, kPriorSeed));
-  const std::shared_ptr<const Explorer> explorer = std::move(session.explorer);
+  SOMATO_TRY(std::shared_ptr<const SimulatedExplorer> explorer,
+             chosen_simulation(arguments, kPriorSeed));
   source.system = static_cast<std::size_t>(found - source.systems.begin());
   std::vector<std::size_t> things = all_things(*explorer);
   if (source.demonstrates) {
@@ -101,11 +77,7 @@ Result<void> prepare_system(const Arguments& arguments, const std::string& body,
       std::erase(things, *unlearned);
     }
   }
-  source.prior_explorations = {
-      beginning->rounds,
-      [explorer, things = std::move(things)](std::size_t round, const auto& should_continue) {
-        return explore(*explorer, things, round, should_continue);
-      }};
+  source.prior_explorations = {beginning->rounds, std::move(explorer), std::move(things)};
   return {};
 }
 

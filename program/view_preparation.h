@@ -9,8 +9,8 @@
 namespace somato::program {
 
 /// Selects the system with which the simulated body of --body begins, and has it trained when the
-/// view starts, on explorations that differ from those of the view. Without effect for a source
-/// with fewer than two things. Errors: those of body_session().
+/// view starts, on explorations that differ from those of the view. Without effect for a real body
+/// and for a source with fewer than two things. Errors: those of body_session().
 Result<void> prepare_system(const Arguments& arguments, const std::string& body,
                             ViewSource& source);
 

@@ -42,20 +42,21 @@ ObjectTable things_of(ExploringBody body, const std::optional<std::string>& obje
                                 : default_things(body));
 }
 
-std::unique_ptr<Explorer> explorer_of(const std::string& name,
-                                      const std::optional<std::string>& objects,
-                                      const std::optional<std::string>& settings,
-                                      const nb::dict& simulation, std::uint64_t seed) {
+std::unique_ptr<SimulatedExplorer> explorer_of(const std::string& name,
+                                               const std::optional<std::string>& objects,
+                                               const std::optional<std::string>& settings,
+                                               const nb::dict& simulation, std::uint64_t seed) {
   const auto body = value_or_throw(choice_named<ExploringBody>("body", name, "explore(body)"));
   return value_or_throw(simulated_explorer(body, things_of(body, objects),
                                            parameters_of(body, settings, simulation), seed));
 }
 
-std::vector<std::string> failures_of(const Explorer& explorer, const ExploringOutcome& outcome) {
+std::vector<std::string> failures_of(const SimulatedExplorer& explorer,
+                                     const ExploringOutcome& outcome) {
   std::vector<std::string> failures;
   failures.reserve(outcome.failures.size());
   for (const FailedExploration& failed : outcome.failures) {
-    failures.push_back(explorer.things()[failed.item].name + ", trial " +
+    failures.push_back(explorer.things()[failed.thing].name + ", trial " +
                        std::to_string(failed.trial + 1) + ": " + to_string(failed.error));
   }
   return failures;
@@ -71,7 +72,7 @@ Exploration as_in_file(Exploration exploration) {
 }
 
 // The explorations, and descriptions of those that failed.
-std::pair<Recording, std::vector<std::string>> explore(const Explorer& explorer,
+std::pair<Recording, std::vector<std::string>> explore(const SimulatedExplorer& explorer,
                                                        std::size_t explorations, double longest,
                                                        std::size_t threads, nb::object progress) {
   Interrupts interrupts(std::move(progress));
@@ -81,10 +82,7 @@ std::pair<Recording, std::vector<std::string>> explore(const Explorer& explorer,
   {
     const nb::gil_scoped_release released;
     outcome = explore_all(
-        {explorer.things().size(), explorations, threads},
-        [&](std::size_t thing, std::size_t trial) {
-          return explorer.explore(thing, trial, options);
-        },
+        explorer, {explorations}, threads, options,
         [&](Exploration&& exploration) -> Result<void> {
           recording.explorations.push_back(as_in_file(std::move(exploration)));
           return {};
@@ -105,7 +103,8 @@ std::pair<Recording, std::vector<std::string>> explore(const Explorer& explorer,
 }  // namespace
 
 void bind_explore(nb::module_& module) {
-  nb::class_<Explorer>(module, "Explorer", "A simulated body with the things that it explores.")
+  nb::class_<SimulatedExplorer>(module, "Explorer",
+                                "A simulated body with the things that it explores.")
       .def_static("build", &explorer_of, nb::arg("body"), nb::arg("objects").none(),
                   nb::arg("settings").none(), nb::arg("simulation"), nb::arg("seed"))
       .def("explore", &explore, nb::arg("explorations"), nb::arg("longest"), nb::arg("threads"),

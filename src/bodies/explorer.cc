@@ -5,15 +5,24 @@
 namespace somato {
 
 Result<Exploration> Explorer::explore(std::size_t thing, std::size_t trial,
-                                      const ExploreOptions& options) const {
+                                      const ExploreOptions& options) {
   require(thing < things_.size(), "Explorer::explore: no such thing");
-  auto exploration = explore_thing(thing, trial, options);
-  if (exploration) {
-    exploration->source = source_;
-  } else if (exploration.error().where.empty()) {
-    exploration.error().where = things_[thing].name;
+  return named(thing, explore_thing(thing, trial, options));
+}
+
+Result<Exploration> Explorer::named(std::size_t thing, Result<Exploration> explored) const {
+  if (explored) {
+    explored->source = source_;
+  } else if (explored.error().where.empty()) {
+    explored.error().where = things_[thing].name;
   }
-  return exploration;
+  return explored;
+}
+
+Result<Exploration> SimulatedExplorer::explore(std::size_t thing, std::size_t trial,
+                                               const ExploreOptions& options) const {
+  require(thing < things().size(), "Explorer::explore: no such thing");
+  return named(thing, simulate(thing, trial, options));
 }
 
 Result<void> prepare_body(Body& body, const ExploreOptions& options,

@@ -10,6 +10,7 @@
 #include "devices/device_io.h"
 #include "devices/safe_motion.h"
 #include "devices/sensor_reader.h"
+#include "devices/servo_watch.h"
 #include "somato/core/check.h"
 
 namespace somato::devices {
@@ -20,6 +21,8 @@ constexpr double kSwitchOn = 0.2;     // s between two servos, so that the suppl
 constexpr double kLateSamples = 0.5;  // s for which samples may be late
 constexpr double kPause = 3.0;        // periods after which the host has paused
 constexpr double kBacklog = 0.25;     // s of samples that may wait
+
+using BeforeJump = std::function<Result<void>(const ServoSettings& servo)>;
 
 std::vector<std::string> names_of(const DeviceFile& file) {
   std::vector<std::string> names;
@@ -38,6 +41,7 @@ class DeviceBody::Impl {
         io_(file_, lines),
         motion_(file_.servos),
         reader_(file_),
+        watch_(file_),
         history_(names_of(file_)) {}
 
   const BodyDescription& description() const { return description_; }
@@ -48,12 +52,13 @@ class DeviceBody::Impl {
   SafeMotion& motion() { return motion_; }
   const DeviceFile& file() const { return file_; }
 
-  Result<void> start() {
+  Result<void> start(const BeforeJump& before_jump) {
     SOMATO_TRY_VOID(io_.start());
     is_on_ = true;
     SOMATO_TRY_VOID(begin_motion());
     SOMATO_TRY_VOID(wait_for_frame());
     reader_.prepare(state_.readings);
+    SOMATO_TRY_VOID(permit_jump(before_jump));
     return begin().and_then([&] { return switch_on(); }).and_then([&] { return begin(); });
   }
 
@@ -64,6 +69,7 @@ class DeviceBody::Impl {
     next_tick_ = start_;
     moved_ = start_;
     samples_taken_ = 0;
+    watch_.begin();
     if (io_.samples() != nullptr) io_.samples()->keep(0);
     state_.time = 0.0;
     state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
@@ -75,6 +81,10 @@ class DeviceBody::Impl {
   template <typename Condition>
   Result<void> pass(double seconds, const Condition& should_continue) {
     require(is_on_, "the device was stopped; start it again");
+    if (auto held_up = check_pause(may_have_paused_); !held_up) {
+      return stop(std::move(held_up.error()));
+    }
+    may_have_paused_ = false;
     skip_pause(0.0);
     const double end = state_.time + seconds;
     const std::size_t due = samples_due(end);
@@ -82,6 +92,7 @@ class DeviceBody::Impl {
       auto ticked = should_continue().and_then([&] { return tick(end); });
       if (!ticked) return stop(std::move(ticked.error()));
     }
+    if (auto held_up = check_pause(false); !held_up) return stop(std::move(held_up.error()));
     if (samples_missing(due)) return stop(no_samples());
     // The servos moved on while late samples were awaited: the body's time passes as much later.
     start_ = std::max(start_, moved_ - end);
@@ -92,6 +103,8 @@ class DeviceBody::Impl {
     take_samples(due);
     return {};
   }
+
+  void expect_pause() { may_have_paused_ = true; }
 
   void relax() noexcept {
     if (std::exchange(is_on_, false)) io_.relax();
@@ -111,6 +124,19 @@ class DeviceBody::Impl {
 
   // Seconds of the body.
   double time() const { return io_.now() - start_; }
+
+  // A program that was held up while servos moved, such as one that was stopped and continued,
+  // knows nothing of what has happened meanwhile.
+  Result<void> check_pause(bool is_expected) const {
+    const double pause = io_.now() - moved_;
+    if (is_expected || pause <= file_.safety.pause * file_.settings.clock) return {};
+    return fail(
+        ErrorKind::kSystem,
+        fmt::format("the program was held up for {:.1f} s while the servos were on", pause),
+        file_.settings.name,
+        "do not stop it while it moves servos, and use a computer that is less busy; 'pause' "
+        "of [safety] is what is permitted");
+  }
 
   // A host that paused, as a view does between two steps, has neither moved the servos nor
   // requested their states: only `passed` seconds of the body's time have passed.
@@ -160,6 +186,14 @@ class DeviceBody::Impl {
     return {};
   }
 
+  Result<void> permit_jump(const BeforeJump& before_jump) const {
+    if (!before_jump) return {};
+    for (std::size_t i = 0; i < file_.servos.size(); ++i) {
+      if (std::isnan(io_.reports()[i].position)) return before_jump(file_.servos[i]);
+    }
+    return {};
+  }
+
   // Servos of unknown position jump, one after the other.
   Result<void> switch_on() {
     const auto always = [] { return Result<void>(); };
@@ -179,6 +213,7 @@ class DeviceBody::Impl {
       io_.wait(until > now ? std::min(next_tick_, until) : next_tick_);
       return io_.receive();
     }
+    SOMATO_TRY_VOID(check_pause(false));
     skip_pause(file_.settings.period);
     SOMATO_TRY_VOID(io_.receive());
     SOMATO_TRY_VOID(check(now));
@@ -199,6 +234,9 @@ class DeviceBody::Impl {
   Result<void> check(double now) {
     SOMATO_TRY_VOID(io_.check_fresh(now));
     SOMATO_TRY_VOID(io_.check_errors());
+    if (io_.measures_positions()) {
+      SOMATO_TRY_VOID(watch_.check(motion_.positions(), io_.reports()));
+    }
     if (!file_.safety.limit) return {};
     const double most = reader_.greatest(file_.safety.sensor, io_, motion_.positions());
     if (most <= *file_.safety.limit) return {};
@@ -236,10 +274,11 @@ class DeviceBody::Impl {
     io_.samples()->keep(static_cast<std::size_t>(kBacklog * file_.microphone->rate));
   }
 
-  // Holds for the declared time unless it was interrupted, then switches off.
+  // Holds for the declared time, then switches off; at once if it was interrupted, and if a servo
+  // does not obey, which could not hold.
   tl::unexpected<Error> stop(Error error) {
     motion_.hold();
-    const bool hold = error.kind != ErrorKind::kInterrupted;
+    const bool hold = error.kind != ErrorKind::kInterrupted && watch_.obeys();
     const double until = io_.now() + (hold ? file_.safety.hold : 0.0);
     const double period = file_.settings.period;
     // A line that hung up may be another one than that of the servos.
@@ -257,6 +296,7 @@ class DeviceBody::Impl {
   DeviceIo io_;
   SafeMotion motion_;
   SensorReader reader_;
+  ServoWatch watch_;
   StateLog history_;
   BodyState state_;
   double start_ = 0.0;
@@ -264,6 +304,7 @@ class DeviceBody::Impl {
   double moved_ = 0.0;  // Until when the servos have been moved.
   std::size_t samples_taken_ = 0;
   bool is_on_ = false;
+  bool may_have_paused_ = false;  // the observer may have waited since the last step
 };
 
 DeviceBody::DeviceBody(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -272,9 +313,11 @@ DeviceBody::~DeviceBody() {
   relax();
 }
 
-Result<std::unique_ptr<DeviceBody>> DeviceBody::start(const DeviceFile& file, wire::Lines& lines) {
+Result<std::unique_ptr<DeviceBody>> DeviceBody::start(
+    const DeviceFile& file, wire::Lines& lines,
+    const std::function<Result<void>(const ServoSettings& servo)>& before_jump) {
   std::unique_ptr<DeviceBody> body(new DeviceBody(std::make_unique<Impl>(file, lines)));
-  SOMATO_TRY_VOID(body->impl_->start());
+  SOMATO_TRY_VOID(body->impl_->start(before_jump));
   return body;
 }
 
@@ -292,6 +335,10 @@ const StateLog& DeviceBody::history() const {
 
 Result<void> DeviceBody::begin() {
   return impl_->begin();
+}
+
+void DeviceBody::expect_pause() {
+  impl_->expect_pause();
 }
 
 bool DeviceBody::is_on() const {

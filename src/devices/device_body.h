@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,18 +19,22 @@ namespace somato::devices {
 ///
 /// Every period it reads the lines, checks what arrived, moves each servo towards its target within
 /// its limits (SafeMotion), and sends the positions. It stops if a line hangs up, if no valid
-/// answer or frame arrived for the permitted number of periods, if a servo reports an error, or if
-/// the sensor of [safety] exceeds its limit: the servos hold their positions for the declared time
-/// and are then switched off, and step() returns the error. They are also switched off when it is
-/// interrupted, and when the body is destroyed. A period allocates nothing.
+/// answer or frame arrived for the permitted number of periods, if a servo reports an error or is
+/// too hot, outside of its limits or not where it is commanded (ServoWatch), if the program was
+/// held up between two steps or periods, or if the sensor of [safety] exceeds its limit: the servos
+/// hold their positions for the declared time and are then switched off, and step() returns the
+/// error. They are switched off at once if a servo does not obey, when the body is interrupted, and
+/// when it is destroyed. A period allocates nothing.
 class DeviceBody : public Body {
  public:
   /// Starts the servos and waits for the first frame; `lines`, those of lines_of(), must outlive
   /// the body. A servo whose position is unknown (SSC-32 after power-up) jumps to its resting
   /// position, one servo after the other. Errors (kSystem): a board that does not answer or sends
   /// nothing; (kData): a servo outside of its limits or with an error; a line too slow for the
-  /// period.
-  static Result<std::unique_ptr<DeviceBody>> start(const DeviceFile& file, wire::Lines& lines);
+  /// period; those of `before_jump`, which is called before the first servo jumps.
+  static Result<std::unique_ptr<DeviceBody>> start(
+      const DeviceFile& file, wire::Lines& lines,
+      const std::function<Result<void>(const ServoSettings& servo)>& before_jump = {});
 
   DeviceBody(const DeviceBody&) = delete;
   DeviceBody(DeviceBody&&) = delete;
@@ -49,6 +54,10 @@ class DeviceBody : public Body {
 
   /// Moves all servos to their resting positions at their own speeds. Errors: those of step().
   Result<void> go_to_rest();
+
+  /// The next step follows after a wait of any duration, during which the servos hold, such as that
+  /// for a person or a picture. Without this, a step that begins late is a fault.
+  void expect_pause();
 
   /// Whether its servos are on: until it stops, or relax().
   bool is_on() const;

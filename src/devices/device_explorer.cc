@@ -25,6 +25,20 @@ Exploration as_exploration(const Body& body, const Exploration& named) {
   return present;
 }
 
+// An observer may let the body wait, as long as the program runs.
+ExploreOptions with_pauses(DeviceBody& body, const ExploreOptions& options,
+                           const std::function<std::size_t()>& continued) {
+  ExploreOptions waiting = options;
+  if (!options.observer.on_step) return waiting;
+  waiting.observer.on_step = [&body, &options, &continued](const ExplorationStep& step) {
+    const std::size_t before = continued ? continued() : 0;
+    auto observed = options.observer.on_step(step);
+    if (!continued || continued() == before) body.expect_pause();
+    return observed;
+  };
+  return waiting;
+}
+
 }  // namespace
 
 DeviceExplorer::DeviceExplorer(DeviceFile file, std::vector<ExploredThing> things,
@@ -45,7 +59,7 @@ Result<std::unique_ptr<Explorer>> DeviceExplorer::create(DeviceFile file,
       std::move(file), std::move(things), std::move(exploring), std::move(surroundings)));
 }
 
-Result<Exploration> DeviceExplorer::explore_with(Body& body) const {
+Result<Exploration> DeviceExplorer::explore_with(Body& body) {
   switch (file_.settings.explore) {
     case ExploringMethod::kGrasping:
       return explore_by_grasping(body, exploring_.plan, exploring_.grasp);
@@ -61,7 +75,17 @@ Result<Exploration> DeviceExplorer::explore_with(Body& body) const {
   return explore_by_holding(body, file_.settings.duration, file_.settings.period);
 }
 
-Result<void> DeviceExplorer::place(std::size_t thing, std::size_t trial) const {
+// Nothing moves after a fault before a person says so.
+Result<void> DeviceExplorer::permit() {
+  if (!fault_) return {};
+  if (!surroundings_.permit) {
+    return fail(ErrorKind::kUnavailable, "a fault has stopped the device", file_.settings.name,
+                "remove its cause, and start the device again");
+  }
+  return surroundings_.permit(*fault_).map([this] { resume(); });
+}
+
+Result<void> DeviceExplorer::place(std::size_t thing, std::size_t trial) {
   if (!surroundings_.place) return {};
   auto placed = surroundings_.place(things()[thing], trial);
   if (placed || placed.error().kind != ErrorKind::kSystem) return placed;
@@ -69,7 +93,7 @@ Result<void> DeviceExplorer::place(std::size_t thing, std::size_t trial) const {
   return placed;
 }
 
-Result<void> DeviceExplorer::start() const {
+Result<void> DeviceExplorer::start() {
   lines_.reset();
   SOMATO_TRY(lines_, surroundings_.open_lines());
   SOMATO_TRY(body_, DeviceBody::start(file_, *lines_));
@@ -77,7 +101,7 @@ Result<void> DeviceExplorer::start() const {
   return {};
 }
 
-Result<DeviceBody*> DeviceExplorer::body() const {
+Result<DeviceBody*> DeviceExplorer::body() {
   if (body_) return body_.get();
   auto started = start();
   if (started) return body_.get();
@@ -85,7 +109,7 @@ Result<DeviceBody*> DeviceExplorer::body() const {
   return fail(std::move(started.error()));
 }
 
-void DeviceExplorer::end_body() const {
+void DeviceExplorer::end_body() {
   if (!body_) return;
   body_->relax();
   if (surroundings_.on_switch) surroundings_.on_switch(*lines_, {});
@@ -93,7 +117,7 @@ void DeviceExplorer::end_body() const {
 }
 
 Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body, const Exploration& named,
-                                               const ExploreOptions& options) const {
+                                               const ExploreOptions& options) {
   SOMATO_TRY_VOID(body.begin());
   const auto player =
       surroundings_.scenes ? surroundings_.scenes(as_exploration(body, named)) : nullptr;
@@ -101,18 +125,30 @@ Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body, const Explorati
   const auto poses = [&] {
     return player ? player->poses(as_exploration(body, named), 0) : std::vector<ScenePose>();
   };
-  auto explored =
-      prepare_body(body, options, scene, poses).and_then([&] { return explore_with(body); });
-  // Only the way back is left, unless the device stopped.
-  body.keep_to({});
+  const ExploreOptions waiting = with_pauses(body, options, surroundings_.continued);
+  auto explored = prepare_body(body, waiting, scene, poses).and_then([&] {
+    body.expect_pause();
+    return explore_with(body);
+  });
+  // Only the way back is left, unless the device stopped. It can be interrupted as well, and then
+  // the exploration before it counts.
+  body.keep_to({.should_continue = options.limits.should_continue});
   body.observe({});
-  if (body.is_on()) SOMATO_TRY_VOID(body.go_to_rest());
+  if (!explored && explored.error().kind == ErrorKind::kInterrupted) body.relax();
+  if (!body.is_on()) return explored;
+  auto returned = body.go_to_rest();
+  if (!returned && returned.error().kind != ErrorKind::kInterrupted) {
+    return fail(std::move(returned.error()));
+  }
+  if (!returned) body.relax();
   return explored;
 }
 
-Error DeviceExplorer::stopped(Error error) const {
+Error DeviceExplorer::stopped(Error error) {
   const bool is_fault = error.kind == ErrorKind::kSystem || error.kind == ErrorKind::kData;
-  if (!is_fault || !surroundings_.keep_log) return error;
+  if (!is_fault) return error;
+  fault_ = error;
+  if (!surroundings_.keep_log) return error;
   const std::string path = surroundings_.keep_log(body_->history());
   if (path.empty()) return error;
   error.advice += fmt::format("{}the last states and commands are in {}",
@@ -121,14 +157,17 @@ Error DeviceExplorer::stopped(Error error) const {
 }
 
 Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t trial,
-                                                  const ExploreOptions& options) const {
-  SOMATO_TRY(DeviceBody* const started, body());
+                                                  const ExploreOptions& options) {
+  SOMATO_TRY_VOID(permit());
+  // Servos that start may jump: hands are away then.
   SOMATO_TRY_VOID(place(thing, trial));
+  SOMATO_TRY(DeviceBody* const started, body());
   const std::shared_ptr<void> watch = surroundings_.watch ? surroundings_.watch() : nullptr;
   const Exploration named{labels_of_thing(things()[thing], trial), {}, {}};
   auto explored = explore_on(*started, named, options);
   if (explored) {
     explored->labels = named.labels;
+    if (!started->is_on()) end_body();
     return explored;
   }
   if (started->is_on()) return explored;  // It has only not found what it was looking for.

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,15 @@ struct DeviceSurroundings {
   /// that a signal handler can send them. They are valid until the next call, which has none.
   std::function<void(wire::Lines& lines, std::span<const std::uint8_t> relax_bytes)> on_switch;
 
+  /// How often the program was continued after it had been stopped; may be empty.
+  std::function<std::size_t()> continued;
+
   /// Called before each exploration; what it returns is kept until the exploration ends.
   std::function<std::shared_ptr<void>()> watch;
+
+  /// Called before the device moves again after a fault: a person permits it. An error
+  /// (kUnavailable) ends the explorations. Empty: only resume() permits it.
+  std::function<Result<void>(const Error& fault)> permit;
 
   /// Receives the last states of a device that was stopped by an error; returns where they were
   /// saved, for the message.
@@ -46,10 +54,11 @@ struct DeviceSurroundings {
   SceneFinder scenes;
 };
 
-/// Explores with a device; used by one thread. The first exploration starts the device. Each has
-/// its thing placed, explores, and returns to the resting position, where the servos hold until the
-/// next one. After an error the servos are off, and the next exploration starts the device again;
-/// it fails (kUnavailable) if that is not possible, or if nothing can be placed any more.
+/// Explores with a device; used by one thread. Each exploration has its thing placed; the first
+/// then starts the device. It explores, and returns to the resting position, where the servos hold
+/// until the next one. After a fault the servos are off, and the device is stopped until a person
+/// lets it move again; the next exploration then starts it. It fails (kUnavailable) if that is not
+/// permitted or not possible, or if nothing can be placed any more.
 class DeviceExplorer : public Explorer {
  public:
   /// `source` names the device in recordings. Errors (kUsage): no things.
@@ -64,28 +73,33 @@ class DeviceExplorer : public Explorer {
   DeviceExplorer& operator=(DeviceExplorer&&) = delete;
   ~DeviceExplorer() override { end_body(); }
 
+  bool is_stopped() const override { return fault_.has_value(); }
+  void resume() override { fault_.reset(); }
+
  protected:
   Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override;
+                                    const ExploreOptions& options) override;
 
  private:
-  void end_body() const;
+  void end_body();
   DeviceExplorer(DeviceFile file, std::vector<ExploredThing> things, DeviceExploring exploring,
                  DeviceSurroundings surroundings);
 
-  Result<void> place(std::size_t thing, std::size_t trial) const;
-  Result<void> start() const;
-  Result<DeviceBody*> body() const;
-  Result<Exploration> explore_with(Body& body) const;
+  Result<void> permit();
+  Result<void> place(std::size_t thing, std::size_t trial);
+  Result<void> start();
+  Result<DeviceBody*> body();
+  Result<Exploration> explore_with(Body& body);
   Result<Exploration> explore_on(DeviceBody& body, const Exploration& named,
-                                 const ExploreOptions& options) const;
-  Error stopped(Error error) const;
+                                 const ExploreOptions& options);
+  Error stopped(Error error);
 
   DeviceFile file_;
   DeviceExploring exploring_;
   DeviceSurroundings surroundings_;
-  mutable std::unique_ptr<wire::Lines> lines_;
-  mutable std::unique_ptr<DeviceBody> body_;  // As long as it works; ends before its lines.
+  std::unique_ptr<wire::Lines> lines_;
+  std::optional<Error> fault_;        // That has stopped the device.
+  std::unique_ptr<DeviceBody> body_;  // As long as it works; ends before its lines.
 };
 
 }  // namespace somato::devices

@@ -115,6 +115,11 @@ struct SafetySettings {
   std::optional<double> limit;
   std::size_t missed = 3;
   double hold = 1.0;
+  double deviation = 0.1;
+  double unmoved = 0.5;
+  double beyond = 0.05;
+  double hottest = 70.0;
+  double pause = 0.5;
 
   static const Declarations<SafetySettings>& declarations();
 };

@@ -170,7 +170,24 @@ const Declarations<SafetySettings>& SafetySettings::declarations() {
                "stops; requests before it moves wait at least as long.")
           .add("hold", &P::hold, "s", Range::between(0.0, 60.0),
                "Time for which a stopped body holds its position before the servos are switched "
-               "off.");
+               "off.")
+          .add("deviation", &P::deviation, "", Range{0.0, 1.0, true},
+               "Share of a servo's range by which it may be away from where it is sent: one that "
+               "moves farther away, or stays there, stops the body. The default is more than a "
+               "loaded servo lags behind.")
+          .add("unmoved", &P::unmoved, "s", Range::between(0.05, 60.0),
+               "Time after which a servo that is farther away than the deviation and does not move "
+               "is stuck; if the body closes or presses, only if it has not moved at all, because "
+               "what it explores may stop it. The default is longer than a servo needs to start.")
+          .add("beyond", &P::beyond, "", Range::between(0.0, 1.0),
+               "Share of a servo's range by which its measured position may exceed its limits. The "
+               "default is more than a servo overshoots.")
+          .add("hottest", &P::hottest, "deg C", Range::between(20.0, 150.0),
+               "Highest permitted temperature of a servo that reports one. The default is the "
+               "lowest at which the servos' makers switch them off.")
+          .add("pause", &P::pause, "s", Range::between(0.05, 60.0),
+               "Longest time for which the program may be held up while servos move; afterwards "
+               "the body stops. The default is longer than a busy computer takes.");
   return declared;
 }
 

@@ -131,23 +131,39 @@ void DeviceIo::relax() noexcept {
   }
 }
 
+// Where one servo after the other is read, one that answers is as fresh as the last round; the
+// bus itself answers all the time.
+bool DeviceIo::is_silent(std::size_t servo, double now) const {
+  const double patience = std::max(patience_of(file_), bus_->recovery());
+  const auto is_late = [&](double time) { return now - std::max(time, begun_) > patience; };
+  const std::span<const ServoReport> all = reports();
+  if (!bus_->reads_one_by_one()) return is_late(all[servo].time);
+  const bool none_answers = std::all_of(all.begin(), all.end(),
+                                        [&](const ServoReport& one) { return is_late(one.time); });
+  constexpr std::size_t kLost = 2;  // a single answer may be lost
+  return none_answers || (is_late(all[servo].time) && all[servo].unanswered > kLost);
+}
+
+Result<void> DeviceIo::check_servos_fresh(double now) const {
+  if (!bus_ || !bus_->reports_states()) return {};
+  for (std::size_t i = 0; i < file_.servos.size(); ++i) {
+    if (!is_silent(i, now)) continue;
+    return fail(
+        ErrorKind::kSystem,
+        fmt::format("the servo '{}' gave no answer for {:.0f} periods", file_.servos[i].name,
+                    std::max(patience_of(file_), bus_->recovery()) / file_.settings.period),
+        file_.servo_line->port, "check the cable, the power and the id of the servo");
+  }
+  return {};
+}
+
 Result<void> DeviceIo::check_fresh(double now) const {
+  SOMATO_TRY_VOID(check_servos_fresh(now));
   const auto is_late = [&](double time, double periods, double period) {
     return now - std::max(time, begun_) > periods * period;
   };
   const double period = file_.settings.period;
   const auto missed = static_cast<double>(file_.safety.missed);
-  if (bus_ && bus_->reports_states()) {
-    const auto round = static_cast<double>(bus_->reads_one_by_one() ? file_.servos.size() : 1);
-    const double periods = std::max(round * missed, std::ceil(bus_->recovery() / period));
-    for (std::size_t i = 0; i < file_.servos.size(); ++i) {
-      if (!is_late(bus_->reports()[i].time, periods, period)) continue;
-      return fail(ErrorKind::kSystem,
-                  fmt::format("the servo '{}' gave no answer for {:.0f} periods",
-                              file_.servos[i].name, periods),
-                  file_.servo_line->port, "check the cable, the power and the id of the servo");
-    }
-  }
   if (!stream_ ||
       !is_late(stream_->time(), missed, std::max(period, 1.0 / file_.frame_line->rate))) {
     return {};

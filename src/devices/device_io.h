@@ -61,6 +61,8 @@ class DeviceIo {
   std::span<const ServoReport> reports() const {
     return bus_ ? bus_->reports() : std::span<const ServoReport>();
   }
+  /// Whether they contain positions that the servos measure.
+  bool measures_positions() const { return bus_ && bus_->measures_positions(); }
   const SensorStream* stream() const { return stream_.get(); }
   SampleQueue* samples() { return samples_ ? &*samples_ : nullptr; }
   double now() const { return lines_.now(); }
@@ -70,6 +72,8 @@ class DeviceIo {
   void begin(double now) { begun_ = now; }
 
  private:
+  bool is_silent(std::size_t servo, double now) const;
+  Result<void> check_servos_fresh(double now) const;
   Result<void> check_capacity() const;
   Result<void> at_port(Result<void> done) const;
   Result<void> queue(std::span<const std::uint8_t> bytes);

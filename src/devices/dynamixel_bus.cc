@@ -40,8 +40,12 @@ constexpr std::array kDynamixelModels = std::to_array<DynamixelModel>({
 
 constexpr std::uint8_t kNoDynamixel = 0xFF;
 constexpr std::size_t kDynamixelStateSize = 10;  // current, velocity and position
-constexpr std::size_t kDynamixelGoalSize = 8;    // profile velocity and goal position
-constexpr double kDynamixelAnswerTime = 0.05;    // s; an adapter may collect bytes for 16 ms
+// As far as the temperature, which changes slowly: a longer answer would fill the line.
+constexpr std::size_t kDynamixelLongStateSize =
+    dynamixel_x::kPresentTemperature + 1 - dynamixel_x::kPresentCurrent;
+constexpr double kDynamixelTemperatures = 0.2;  // s between two of them
+constexpr std::size_t kDynamixelGoalSize = 8;   // profile velocity and goal position
+constexpr double kDynamixelAnswerTime = 0.05;   // s; an adapter may collect bytes for 16 ms
 constexpr std::size_t kDynamixelAttempts = 3;
 constexpr double kDynamixelExtendedRange = 1'048'575.0;  // steps; the range with several turns
 
@@ -128,7 +132,7 @@ DynamixelBus::DynamixelBus(std::vector<DynamixelServo> servos) : ServoBus(servos
 }
 
 std::size_t DynamixelBus::bytes_per_tick() const {
-  const std::size_t answer = 11 + kDynamixelStateSize + 3;  // with three stuffing bytes
+  const std::size_t answer = 11 + kDynamixelLongStateSize + 7;  // with seven stuffing bytes
   return tick_.size() + ids_.size() * answer;
 }
 
@@ -281,6 +285,7 @@ Result<void> DynamixelBus::start(wire::Exchange& exchange) {
   warnings_.clear();
   decoder_.clear();
   errors_requested_ = false;
+  since_temperatures_ = 0.0;
   for (Servo& servo : servos_) SOMATO_TRY_VOID(check(servo, exchange));
   auto held = hold_all(exchange);
   if (!held) SOMATO_TRY_VOID(exchange.send(relax_));
@@ -335,12 +340,19 @@ std::span<const std::uint8_t> DynamixelBus::tick(std::span<const double> positio
   if (std::any_of(positions.begin(), positions.end(), given)) write_goals(to, positions, seconds);
   // Every second request at most, so that the states stay known if a servo does not answer.
   errors_requested_ = !errors_requested_ && error_is_unknown();
+  since_temperatures_ += seconds;
   if (errors_requested_) {
     to.sync_read(dynamixel_x::kHardwareError, 1, ids_);
   } else {
-    to.sync_read(dynamixel_x::kPresentCurrent, kDynamixelStateSize, ids_);
+    to.sync_read(dynamixel_x::kPresentCurrent, size_of_next_state(), ids_);
   }
   return to.written();
+}
+
+std::uint16_t DynamixelBus::size_of_next_state() {
+  if (since_temperatures_ < kDynamixelTemperatures) return kDynamixelStateSize;
+  since_temperatures_ = 0.0;
+  return kDynamixelLongStateSize;
 }
 
 bool DynamixelBus::error_is_unknown() const {
@@ -369,8 +381,11 @@ void DynamixelBus::receive(std::span<const std::uint8_t> bytes, double now) {
     } else if (error == 0) {
       error = kUnknownError;
     }
-    if (packet->parameters.size() == kDynamixelStateSize)
+    const std::size_t size = packet->parameters.size();
+    if (size == kDynamixelStateSize || size == kDynamixelLongStateSize) {
       take_state(servo, packet->parameters, now);
+    }
+    if (size == kDynamixelLongStateSize) reports_[servo].temperature = packet->parameters.back();
   }
 }
 

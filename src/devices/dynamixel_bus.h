@@ -98,6 +98,7 @@ class DynamixelBus : public ServoBus {
   void write_goals(wire::DynamixelWriter& to, std::span<const double> positions, double seconds);
   void take_state(std::size_t servo, std::span<const std::uint8_t> state, double now);
   bool error_is_unknown() const;
+  std::uint16_t size_of_next_state();
 
   std::vector<Servo> servos_;
   std::vector<std::uint8_t> ids_;
@@ -105,6 +106,7 @@ class DynamixelBus : public ServoBus {
   Bytes tick_;
   Bytes relax_;
   bool errors_requested_ = false;
+  double since_temperatures_ = 0.0;  // s
   wire::DynamixelDecoder decoder_;
   std::vector<std::string> warnings_;
 };

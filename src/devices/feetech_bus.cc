@@ -27,7 +27,7 @@ constexpr std::uint8_t kNoFeetech = 0xFF;
 constexpr std::size_t kFeetechGoalSize = 6;  // position, time and speed
 constexpr std::size_t kFeetechStsStateSize =
     15;                                          // from the present position to the present current
-constexpr std::size_t kFeetechScsStateSize = 6;  // position, speed and load
+constexpr std::size_t kFeetechScsStateSize = 8;  // position, speed, load, voltage and temperature
 constexpr std::size_t kFeetechStsSettings = 34;  // from the firmware to the mode
 constexpr std::size_t kFeetechScsSettings = 13;  // from the firmware to the limits
 constexpr std::size_t kFeetechLongestAnswer = 6 + kFeetechStsSettings;
@@ -231,6 +231,7 @@ Result<void> FeetechBus::start(wire::Exchange& exchange) {
   polled_ = servos_.size() - 1;  // the first tick polls the first servo
   to_poll_ = 0;
   answered_ = true;
+  for (ServoReport& report : reports_) report.unanswered = 0;
   for (Servo& servo : servos_) SOMATO_TRY_VOID(check(servo, exchange));
   auto held = hold_all(exchange);
   if (!held) SOMATO_TRY_VOID(exchange.send(relax_));
@@ -297,6 +298,7 @@ std::span<const std::uint8_t> FeetechBus::tick(std::span<const double> positions
 // completed by the next one.
 std::span<const std::uint8_t> FeetechBus::poll_one(wire::FeetechWriter& to) {
   polled_ = (polled_ + 1) % servos_.size();
+  ++reports_[polled_].unanswered;
   --to_poll_;
   answered_ = false;
   waited_ = 0.0;
@@ -325,8 +327,10 @@ bool FeetechBus::is_state(std::size_t servo, const wire::FeetechPacket& packet) 
 void FeetechBus::take_state(std::size_t servo, const wire::FeetechPacket& packet, double now) {
   ServoReport& report = reports_[servo];
   report.position = wire::feetech_signed(word(packet.parameters, 0));
+  report.temperature = packet.parameters[feetech::kPresentTemperature - feetech::kPresentPosition];
   report.error = packet.code;
   report.time = now;
+  report.unanswered = 0;
   if (!is_sts()) return;
   const std::size_t current = feetech::kPresentCurrent - feetech::kPresentPosition;
   report.current = feetech::kCurrentUnit * wire::feetech_signed(word(packet.parameters, current));

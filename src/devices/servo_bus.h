@@ -14,9 +14,11 @@ namespace somato::devices {
 
 /// The last report of a servo about itself. A value that the bus cannot measure is NaN.
 struct ServoReport {
-  double position = std::numeric_limits<double>::quiet_NaN();  ///< In units of the bus.
-  double current = std::numeric_limits<double>::quiet_NaN();   ///< mA, signed.
-  std::uint8_t error = 0;  ///< Hardware error bits of the protocol; 0: none.
+  double position = std::numeric_limits<double>::quiet_NaN();     ///< In units of the bus.
+  double current = std::numeric_limits<double>::quiet_NaN();      ///< mA, signed.
+  double temperature = std::numeric_limits<double>::quiet_NaN();  ///< Degrees Celsius.
+  std::size_t unanswered = 0;  ///< Successive requests for its own state without an answer.
+  std::uint8_t error = 0;      ///< Hardware error bits of the protocol; 0: none.
   double time =
       -std::numeric_limits<double>::infinity();  ///< The time of its arrival, by the lines' clock.
 };
@@ -70,8 +72,11 @@ class ServoBus {
   /// a fault.
   virtual bool reports_states() const = 0;
 
-  /// Whether a tick requests the state of one servo after the other, so that a round through all of
-  /// them may take as many periods as there are servos.
+  /// Whether reports() contain positions that the servos measure, not those that they were sent to.
+  virtual bool measures_positions() const { return reports_states(); }
+
+  /// Whether the state of one servo is requested after the other: the report of a servo may then be
+  /// as old as a round through all of them, and those that do not answer are `unanswered`.
   virtual bool reads_one_by_one() const { return false; }
 
   /// Seconds without an answer in which a bus that was disturbed recovers: shorter silence is no

@@ -60,6 +60,9 @@ class Ssc32Bus : public ServoBus {
   /// True, because a silent board is a fault, although positions are no measurements.
   bool reports_states() const override { return true; }
 
+  /// It states the pulses that it sends.
+  bool measures_positions() const override { return false; }
+
   std::size_t bytes_per_tick() const override;
   double recovery() const override { return kPatience + 2.0 * kQuiet; }
   Error explain(std::uint8_t error) const override;

@@ -135,6 +135,10 @@ void DynamixelServos::set_measured(std::size_t servo, double position, double cu
   store(servo, dynamixel_x::kPresentPosition, 4, static_cast<std::uint32_t>(steps));
 }
 
+void DynamixelServos::heat(std::size_t servo, std::uint8_t temperature) {
+  store(servo, dynamixel_x::kPresentTemperature, 1, temperature);
+}
+
 void DynamixelServos::overload(std::size_t servo) {
   Servo& it = servos_.at(servo);
   it.table[dynamixel_x::kHardwareError] |= dynamixel_x::kOverload;

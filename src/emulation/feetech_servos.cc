@@ -101,6 +101,10 @@ void FeetechServos::set_measured(std::size_t servo, double position, double curr
   store(servo, feetech::kPresentCurrent, 2, wire::feetech_unsigned(count));
 }
 
+void FeetechServos::heat(std::size_t servo, std::uint8_t temperature) {
+  store(servo, feetech::kPresentTemperature, 1, temperature);
+}
+
 void FeetechServos::overload(std::size_t servo) {
   Servo& it = servos_.at(servo);
   it.memory[feetech::kStatus] |= feetech::kOverload;

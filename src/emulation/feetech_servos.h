@@ -37,6 +37,9 @@ class FeetechServos : public EmulatedServos {
   std::optional<double> driven_position(std::size_t servo) const override;
   void set_measured(std::size_t servo, double position, double current) override;
 
+  /// The servo measures this temperature, in degrees Celsius, without an error.
+  void heat(std::size_t servo, std::uint8_t temperature);
+
   /// The servo notices an overload and switches its torque off until it is rebooted.
   void overload(std::size_t servo);
 

@@ -11,7 +11,7 @@ tl::unexpected<Error> stopped_exploring() {
 
 }  // namespace
 
-void BodyThread::start(const Explorer& explorer, std::size_t thing, std::size_t trial,
+void BodyThread::start(Explorer& explorer, std::size_t thing, std::size_t trial,
                        const std::optional<Placement>& placement) {
   join();
   stopping_ = going_on_ = false;

@@ -40,8 +40,8 @@ class BodyThread {
   ~BodyThread() { join(); }
 
   /// Begins an exploration, of an object placed at random without `placement`, which ends before
-  /// the next one begins. `explorer` must outlive it.
-  void start(const Explorer& explorer, std::size_t thing, std::size_t trial,
+  /// the next one begins. `explorer` must outlive it; no other thread may use it meanwhile.
+  void start(Explorer& explorer, std::size_t thing, std::size_t trial,
              const std::optional<Placement>& placement);
 
   /// From start() until `on_end` is called.

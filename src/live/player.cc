@@ -32,6 +32,13 @@ bool may_rest(const ViewSource& source, const ViewSettings& settings) {
          (!source.explorer || source.demonstrates);
 }
 
+// A real body moves by a person's command only: that of the program without a view, or a viewer's.
+Beginning beginning_of(const ViewSource& source, const ViewSettings& settings) {
+  if (!settings.wait_for_viewer) return Beginning::kAtOnce;
+  const bool is_real = source.explorer && source.explorer->moves_real_body();
+  return is_real ? Beginning::kByCommand : Beginning::kWithFirstViewer;
+}
+
 }  // namespace
 
 Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, TaskQueue& queue)
@@ -41,7 +48,7 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       replay_(hub, pace_, source_.readings),
       chosen_(source_, replay_),
       kept_(source_.recording, source_.sink),
-      audience_(settings.wait_for_viewer, may_rest(source_, settings)),
+      audience_(beginning_of(source_, settings), may_rest(source_, settings)),
       plan_(std::move(source_.plan), source_.demonstrates, source_.thing),
       result_pause_(settings.result_pause),
       body_(queue, {[this](const auto& body, const auto& scene) { grow(body, scene); },
@@ -222,6 +229,9 @@ void Player::rest() {
 }
 
 Result<void> Player::play() {
+  if (audience_.awaits_command()) {
+    return not_now("the body is real and moves only after a press of Start");
+  }
   if (plan_.is_planned() && audience_.begin()) {
     wants_exploring_ = true;
     return {};
@@ -297,16 +307,18 @@ Result<void> Player::place(const Placement& placement) {
   return {};
 }
 
-// The exploration in progress ends first.
+// The exploration in progress ends first. A plan can be begun, but not changed.
 Result<void> Player::begin_exploring() {
   if (!source_.explorer) return not_now("only a body can explore");
-  SOMATO_TRY_VOID(plan_.take_over());
+  const bool begins_plan = audience_.awaits_command() && plan_.has_next() && !plan_.demonstrates();
+  if (!begins_plan) SOMATO_TRY_VOID(plan_.take_over());
   if (kept_.count() >= kMostExplorations) {
     return not_now(fmt::format("the maximum of {} explorations is reached", kMostExplorations));
   }
   body_.stop();
   replay_.give_up();
   wants_exploring_ = true;
+  is_permitted_ = true;
   audience_.begin();
   return {};
 }
@@ -346,6 +358,7 @@ std::string Player::state_text() const {
   state.training = training_;
   state.demonstrated = plan_.rounds();
   state.clients = hub_.viewers();
+  state.awaits_start = audience_.awaits_command();
   state.problem = problem_;
   return json_text(state_json(state));
 }
@@ -356,6 +369,7 @@ void Player::explore() {
   replay_.end();
   pace_.playing = true;
   moments_left_ = 0;
+  if (std::exchange(is_permitted_, false)) source_.explorer->resume();
   const ExplorationPlan::Next next = plan_.next();
   exploring_ = next.thing;
   body_.start(*source_.explorer, next.thing, next.trial, next.placement);
@@ -398,7 +412,8 @@ void Player::finish(std::future<Result<Exploration>> explored) {
   }
   // A demonstration shows the end of each exploration for a while.
   pace_.playing = plays_on && replay_.played() != nullptr;
-  const bool goes_on = plan_.has_next() && !pace_.playing && (plays_on || !demonstrates);
+  const bool goes_on = plan_.has_next() && !pace_.playing && (plays_on || !demonstrates) &&
+                       !audience_.awaits_command();
   wants_exploring_ = wants_exploring_ || goes_on;
   publish_state();
 }
@@ -412,6 +427,7 @@ void Player::catch_up() {
 
 void Player::fail_exploring(const Error& error) {
   kept_.discard_next();
+  if (source_.explorer->is_stopped()) audience_.await_command();
   if (error.kind == ErrorKind::kInterrupted) return;
   problem_ = sentence_of(error);
   replay_.tap().say_failure(error);

@@ -126,6 +126,7 @@ class Player {
   double result_pause_ = 0.0;  // s
   std::size_t exploring_ = 0;  // the thing that is explored
   bool wants_exploring_ = false;
+  bool is_permitted_ = false;  // a viewer lets a body explore that a fault has stopped
   std::optional<GrowingExploration> growing_;
   std::optional<BodyStep> coming_;  // the step that the body has taken, until it is shown
   std::size_t moments_left_ = 0;    // to be shown though nothing plays

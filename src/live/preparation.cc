@@ -9,7 +9,9 @@
 #include <iterator>
 #include <utility>
 
+#include "core/threads.h"
 #include "live/map_training.h"
+#include "somato/bodies/exploring.h"
 
 namespace somato::live {
 namespace {
@@ -23,6 +25,24 @@ Result<Prepared> train(const ViewSystem& system, const Recording& explored, std:
                  system, *prepared.recording, seed,
                  [&](const TrainingSnapshot&) { return should_continue(); }, should_continue));
   return prepared;
+}
+
+// Each of the things once; those whose exploration fails are left out.
+Result<Recording> explore(const PriorExplorations& explorations, std::size_t round,
+                          const std::function<bool()>& should_continue) {
+  Recording recording;
+  ExploreOptions options;
+  options.limits.should_continue = should_continue;
+  SOMATO_TRY(auto outcome, explore_all(
+                               *explorations.explorer, {1, round, explorations.things},
+                               available_threads(), options,
+                               [&](Exploration&& exploration) -> Result<void> {
+                                 recording.explorations.push_back(std::move(exploration));
+                                 return {};
+                               },
+                               [&](std::uint64_t, std::uint64_t) { return should_continue(); }));
+  if (!recording.explorations.empty() || outcome.failures.empty()) return recording;
+  return fail(std::move(outcome.failures.front().error));
 }
 
 // The view has a higher priority. The threads that this one starts have the same priority.
@@ -53,7 +73,7 @@ Result<void> Preparation::prepare(const ViewSystem& system, const PriorExplorati
   const std::function<bool()> should_continue = [this] { return !stopping_; };
   Recording explored;
   for (std::size_t round = 0; round < explorations.rounds; ++round) {
-    SOMATO_TRY(auto more, explorations.explore(round, should_continue));
+    SOMATO_TRY(auto more, explore(explorations, round, should_continue));
     std::move(more.explorations.begin(), more.explorations.end(),
               std::back_inserter(explored.explorations));
     SOMATO_TRY(auto prepared, train(system, explored, seed, should_continue));

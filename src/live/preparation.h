@@ -20,8 +20,8 @@ struct Prepared {
   bool is_last = false;  ///< Or a further round follows.
 };
 
-/// Explores and trains a system in a thread of its own, so that a view begins with a trained
-/// system.
+/// Explores with a simulated body and trains a system in a thread of its own, so that a view begins
+/// with a trained system.
 class Preparation {
  public:
   /// Called by that thread after each round; after an error no round follows.

@@ -28,21 +28,18 @@ struct ViewSystem {
   std::shared_ptr<const SystemModel> trained;  ///< Or nullptr.
 };
 
-/// An exploration of a body that begins without a command.
+/// An exploration of a body that follows without a further command.
 struct PlannedExploration {
   std::size_t thing = 0;
   std::size_t trial = 0;
 };
 
-/// Explorations of a body before those of the view, for a system that is trained on them
+/// Explorations of a simulated body before those of the view, for a system that is trained on them
 /// when the view starts.
 struct PriorExplorations {
-  std::size_t rounds = 0;  ///< The system is trained again after each.
-
-  /// Explores each thing once, in the thread of its caller. `should_continue` is called regularly;
-  /// if it returns false, the result is an Error of kInterrupted.
-  std::function<Result<Recording>(std::size_t round, const std::function<bool()>& should_continue)>
-      explore = {};
+  std::size_t rounds = 0;  ///< Each explores every thing once; the system is trained after each.
+  std::shared_ptr<const SimulatedExplorer> explorer = {};
+  std::vector<std::size_t> things = {};  ///< By number.
 };
 
 /// The source of the view: a recording, or a body that explores, simulated or real.
@@ -51,8 +48,8 @@ struct ViewSource {
   Recording recording = {};  ///< Valid; of a body what was explored before, if any.
   /// The name of the recording of each of these explorations, if there are several.
   std::vector<std::string> origins = {};
-  std::unique_ptr<const Explorer> explorer = {};  ///< With the body; or nullptr.
-  std::size_t thing = 0;                          ///< That the body explores first.
+  std::unique_ptr<Explorer> explorer = {};  ///< With the body; or nullptr.
+  std::size_t thing = 0;                    ///< That the body explores first.
   /// The explorations of the body, one after the other, each object placed at random; it then
   /// explores nothing else. Empty: one thing, and what commands say.
   std::vector<PlannedExploration> plan = {};

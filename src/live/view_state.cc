@@ -112,6 +112,7 @@ Json state_json(const ViewState& state) {
   json["training"] = state.training;
   json["demonstrated"] = state.demonstrated ? Json(*state.demonstrated) : Json();
   json["clients"] = state.clients;
+  json["awaits_start"] = state.awaits_start;
   json["problem"] = or_null(state.problem);
   return json;
 }

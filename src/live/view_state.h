@@ -34,6 +34,7 @@ struct ViewState {
   bool training = false;
   std::optional<std::size_t> demonstrated = {};  ///< Rounds of a demonstration.
   std::size_t clients = 0;
+  bool awaits_start = false;  ///< Whether a real body moves only after a press of Start.
   std::string problem = {};
 };
 

@@ -22,17 +22,17 @@ std::vector<ExploredThing> objects_of(const std::vector<HandScene>& scenes) {
   return things;
 }
 
-class HandExplorer : public Explorer {
+class HandExplorer : public SimulatedExplorer {
  public:
   HandExplorer(Hand hand, std::vector<HandScene> scenes, ExplorerSetup setup)
-      : Explorer(objects_of(scenes), setup.source),
+      : SimulatedExplorer(objects_of(scenes), setup.source),
         hand_(hand),
         scenes_(std::move(scenes)),
         setup_(std::move(setup)) {}
 
  protected:
-  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override {
+  Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                               const ExploreOptions& options) const override {
     const HandScene& scene = scenes_[thing];
     SOMATO_TRY(auto hand, SimulatedHand::create(
                               scene, options.placement.value_or(setup_.placement_of(thing, trial)),
@@ -97,8 +97,8 @@ Result<void> check_poses(SimulatedHand& hand, const std::vector<GraspPose>& pose
 
 }  // namespace
 
-Result<std::unique_ptr<Explorer>> hand_explorer(Hand hand, const ObjectTable& things,
-                                                ExplorerSetup setup) {
+Result<std::unique_ptr<SimulatedExplorer>> hand_explorer(Hand hand, const ObjectTable& things,
+                                                         ExplorerSetup setup) {
   std::vector<GraspPose> poses;  // Hand III stays where it is
   if (hand == Hand::kLucs2) {
     SOMATO_TRY(auto planned, grasp_poses(setup.parameters.plan));

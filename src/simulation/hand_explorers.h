@@ -11,7 +11,7 @@ namespace somato::detail {
 /// Hand II grasps each object of the table from the poses of the plan; Hand III closes on it.
 /// Errors: those of HandScene::build(); kUsage for a table without objects, and if the open Hand II
 /// collides with an object at one of the poses.
-Result<std::unique_ptr<Explorer>> hand_explorer(Hand hand, const ObjectTable& things,
-                                                ExplorerSetup setup);
+Result<std::unique_ptr<SimulatedExplorer>> hand_explorer(Hand hand, const ObjectTable& things,
+                                                         ExplorerSetup setup);
 
 }  // namespace somato::detail

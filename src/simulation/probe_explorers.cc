@@ -84,14 +84,16 @@ std::vector<ExploredThing> materials_of(const ObjectTable& table) {
   return things;
 }
 
-class ProbeExplorer : public Explorer {
+class ProbeExplorer : public SimulatedExplorer {
  public:
   ProbeExplorer(Probe probe, std::vector<ExploredThing> things, ExplorerSetup setup)
-      : Explorer(std::move(things), setup.source), probe_(probe), setup_(std::move(setup)) {}
+      : SimulatedExplorer(std::move(things), setup.source),
+        probe_(probe),
+        setup_(std::move(setup)) {}
 
  protected:
-  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override {
+  Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                               const ExploreOptions& options) const override {
     const Material& material = things()[thing].material;
     auto exploration = try_material(probe_, {setup_, material, thing, trial, options});
     if (exploration) exploration->labels = labels_of(material, trial);
@@ -112,14 +114,16 @@ Result<void> check_probes(const std::vector<ExploredThing>& things,
   return {};
 }
 
-class AllSensesExplorer : public Explorer {
+class AllSensesExplorer : public SimulatedExplorer {
  public:
-  AllSensesExplorer(std::unique_ptr<Explorer> hand, ExplorerSetup setup)
-      : Explorer(hand->things(), setup.source), hand_(std::move(hand)), setup_(std::move(setup)) {}
+  AllSensesExplorer(std::unique_ptr<SimulatedExplorer> hand, ExplorerSetup setup)
+      : SimulatedExplorer(hand->things(), setup.source),
+        hand_(std::move(hand)),
+        setup_(std::move(setup)) {}
 
  protected:
-  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override {
+  Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                               const ExploreOptions& options) const override {
     const Material& material = things()[thing].material;
     return hand_->explore(thing, trial, options).and_then([&](Exploration grasped) {
       return try_material(Probe::kBoth, {setup_, material, thing, trial, options},
@@ -128,14 +132,14 @@ class AllSensesExplorer : public Explorer {
   }
 
  private:
-  std::unique_ptr<Explorer> hand_;
+  std::unique_ptr<SimulatedExplorer> hand_;
   ExplorerSetup setup_;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<Explorer>> probe_explorer(Probe probe, const ObjectTable& things,
-                                                 ExplorerSetup setup) {
+Result<std::unique_ptr<SimulatedExplorer>> probe_explorer(Probe probe, const ObjectTable& things,
+                                                          ExplorerSetup setup) {
   std::vector<ExploredThing> materials = materials_of(things);
   if (materials.empty()) {
     return fail(ErrorKind::kUsage, "no materials for a probe", {},
@@ -145,8 +149,8 @@ Result<std::unique_ptr<Explorer>> probe_explorer(Probe probe, const ObjectTable&
   return std::make_unique<ProbeExplorer>(probe, std::move(materials), std::move(setup));
 }
 
-Result<std::unique_ptr<Explorer>> all_senses_explorer(const ObjectTable& things,
-                                                      ExplorerSetup setup) {
+Result<std::unique_ptr<SimulatedExplorer>> all_senses_explorer(const ObjectTable& things,
+                                                               ExplorerSetup setup) {
   setup.parameters.simulation.taxels = true;
   SOMATO_TRY(auto hand, hand_explorer(Hand::kLucs3, things, setup));
   SOMATO_TRY_VOID(check_probes(materials_of({things.objects, {}}), setup.parameters));

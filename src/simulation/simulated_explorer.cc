@@ -44,9 +44,11 @@ Result<void> check_effect(ExploringBody body, const Table& given) {
   return {};
 }
 
-Result<std::unique_ptr<Explorer>> simulated_explorer(ExploringBody body, const ObjectTable& things,
-                                                     const ExploringParameters& parameters,
-                                                     std::uint64_t seed, GraspPictures* pictures) {
+Result<std::unique_ptr<SimulatedExplorer>> simulated_explorer(ExploringBody body,
+                                                              const ObjectTable& things,
+                                                              const ExploringParameters& parameters,
+                                                              std::uint64_t seed,
+                                                              GraspPictures* pictures) {
   const std::string source =
       fmt::format("{}, simulated ({}), seed {}", choice_name(body), physics_engine(), seed);
   detail::ExplorerSetup setup{parameters, seed, source, pictures};

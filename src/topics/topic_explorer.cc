@@ -29,7 +29,7 @@ TopicExplorer::TopicExplorer(std::vector<ExploredThing> things, TopicExploring e
     : Explorer(std::move(things), "topics of " + exploring.address),
       exploring_(std::move(exploring)) {}
 
-Result<void> TopicExplorer::start() const {
+Result<void> TopicExplorer::start() {
   SOMATO_TRY(client_, TopicClient::start(exploring_.address));
   SOMATO_TRY(body_, TopicBody::start(exploring_.address, *client_, exploring_.sensors,
                                      exploring_.patience));
@@ -37,7 +37,7 @@ Result<void> TopicExplorer::start() const {
 }
 
 Result<Exploration> TopicExplorer::explore_thing(std::size_t thing, std::size_t trial,
-                                                 const ExploreOptions& options) const {
+                                                 const ExploreOptions& options) {
   if (!body_) {
     auto started = start();
     if (!started) {

@@ -37,18 +37,21 @@ class TopicExplorer : public Explorer {
   static Result<std::unique_ptr<Explorer>> create(std::vector<ExploredThing> things,
                                                   TopicExploring exploring);
 
+  /// Others move the robot.
+  bool moves_real_body() const override { return false; }
+
  protected:
   Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override;
+                                    const ExploreOptions& options) override;
 
  private:
   TopicExplorer(std::vector<ExploredThing> things, TopicExploring exploring);
 
-  Result<void> start() const;
+  Result<void> start();
 
   TopicExploring exploring_;
-  mutable std::unique_ptr<TopicClient> client_;
-  mutable std::unique_ptr<TopicBody> body_;  // Ends before its client.
+  std::unique_ptr<TopicClient> client_;
+  std::unique_ptr<TopicBody> body_;  // Ends before its client.
 };
 
 }  // namespace somato::topics

@@ -40,26 +40,27 @@ inline constexpr std::uint8_t kAlert = 0x80;
 /// Addresses in the control table. Numbers are stored with the low byte first. Source: ROBOTIS
 /// e-Manual, X series.
 namespace dynamixel_x {
-inline constexpr std::uint16_t kModelNumber = 0;         // 2 bytes
-inline constexpr std::uint16_t kFirmware = 6;            // 1
-inline constexpr std::uint16_t kId = 7;                  // 1
-inline constexpr std::uint16_t kReturnDelay = 9;         // 1, unit 2 us
-inline constexpr std::uint16_t kDriveMode = 10;          // 1
-inline constexpr std::uint16_t kOperatingMode = 11;      // 1
-inline constexpr std::uint16_t kVelocityLimit = 44;      // 4
-inline constexpr std::uint16_t kMaxPosition = 48;        // 4
-inline constexpr std::uint16_t kMinPosition = 52;        // 4
-inline constexpr std::uint16_t kShutdown = 63;           // 1; the last of the EEPROM
-inline constexpr std::uint16_t kTorqueEnable = 64;       // 1
-inline constexpr std::uint16_t kStatusReturn = 68;       // 1
-inline constexpr std::uint16_t kHardwareError = 70;      // 1
-inline constexpr std::uint16_t kAcceleration = 108;      // 4, Profile Acceleration
-inline constexpr std::uint16_t kVelocity = 112;          // 4, Profile Velocity
-inline constexpr std::uint16_t kGoalPosition = 116;      // 4
-inline constexpr std::uint16_t kPresentCurrent = 126;    // 2; velocity (4) and position (4) follow
-inline constexpr std::uint16_t kPresentPosition = 132;   // 4
-inline constexpr std::uint8_t kOverload = 0x20;          // bit of kHardwareError and kShutdown
-inline constexpr std::uint8_t kTimeBasedProfile = 0x04;  // bits of kDriveMode
+inline constexpr std::uint16_t kModelNumber = 0;        // 2 bytes
+inline constexpr std::uint16_t kFirmware = 6;           // 1
+inline constexpr std::uint16_t kId = 7;                 // 1
+inline constexpr std::uint16_t kReturnDelay = 9;        // 1, unit 2 us
+inline constexpr std::uint16_t kDriveMode = 10;         // 1
+inline constexpr std::uint16_t kOperatingMode = 11;     // 1
+inline constexpr std::uint16_t kVelocityLimit = 44;     // 4
+inline constexpr std::uint16_t kMaxPosition = 48;       // 4
+inline constexpr std::uint16_t kMinPosition = 52;       // 4
+inline constexpr std::uint16_t kShutdown = 63;          // 1; the last of the EEPROM
+inline constexpr std::uint16_t kTorqueEnable = 64;      // 1
+inline constexpr std::uint16_t kStatusReturn = 68;      // 1
+inline constexpr std::uint16_t kHardwareError = 70;     // 1
+inline constexpr std::uint16_t kAcceleration = 108;     // 4, Profile Acceleration
+inline constexpr std::uint16_t kVelocity = 112;         // 4, Profile Velocity
+inline constexpr std::uint16_t kGoalPosition = 116;     // 4
+inline constexpr std::uint16_t kPresentCurrent = 126;   // 2; velocity (4) and position (4) follow
+inline constexpr std::uint16_t kPresentPosition = 132;  // 4
+inline constexpr std::uint16_t kPresentTemperature = 146;  // 1, degrees Celsius
+inline constexpr std::uint8_t kOverload = 0x20;            // bit of kHardwareError and kShutdown
+inline constexpr std::uint8_t kTimeBasedProfile = 0x04;    // bits of kDriveMode
 inline constexpr std::uint8_t kTorqueOnByGoal = 0x08;
 /// Steps in a second for one unit of kVelocity: 0.229 revolutions of 4096 steps in a minute.
 inline constexpr double kVelocityUnit = 0.229 * 4096.0 / 60.0;

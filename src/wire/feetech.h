@@ -42,11 +42,12 @@ inline constexpr std::uint8_t kGoalSpeed = 46;        // 2, steps/s
 inline constexpr std::uint8_t kLockScs = 48;          // 1; 0: the EEPROM keeps what is written
 inline constexpr std::uint8_t kLockSts = 55;          // 1
 inline constexpr std::uint8_t kPresentPosition = 56;  // 2; speed (2) and load (2) follow
-inline constexpr std::uint8_t kStatus = 65;           // 1, the error bits
-inline constexpr std::uint8_t kPresentCurrent = 69;   // 2, only STS
-inline constexpr std::uint8_t kOverload = 0x20;       // bit of kStatus
-inline constexpr double kCurrentUnit = 6.5;           // mA
-inline constexpr std::uint16_t kNegative = 0x8000;    // sign of positions and currents
+inline constexpr std::uint8_t kPresentTemperature = 63;  // 1, degrees Celsius
+inline constexpr std::uint8_t kStatus = 65;              // 1, the error bits
+inline constexpr std::uint8_t kPresentCurrent = 69;      // 2, only STS
+inline constexpr std::uint8_t kOverload = 0x20;          // bit of kStatus
+inline constexpr double kCurrentUnit = 6.5;              // mA
+inline constexpr std::uint16_t kNegative = 0x8000;       // sign of positions and currents
 }  // namespace feetech
 
 /// The series differ in some addresses, and in the order of bytes.

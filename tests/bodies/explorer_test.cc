@@ -15,7 +15,7 @@ class TwoSteps : public Explorer {
 
  protected:
   Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override {
+                                    const ExploreOptions& options) override {
     if (thing == 1) return fail(ErrorKind::kData, "it slipped away");
     FakeHand hand("hand");
     Scene scene;
@@ -35,12 +35,36 @@ class TwoSteps : public Explorer {
 };
 
 TEST(Explorer, NamesItsSourceAndTheThingThatFailed) {
-  const TwoSteps explorer;
+  TwoSteps explorer;
   const auto explored = explorer.explore(0, 4).value();
   EXPECT_EQ(explored.source, "a table");
   EXPECT_EQ(explored.labels[0].value, "5");
   EXPECT_EQ(explorer.explore(1, 0).error().where, "soap");
   EXPECT_THROW((void)explorer.explore(2, 0), InvalidArgument);
+}
+
+// A class that says nothing else is a real body.
+TEST(Explorer, MovesARealBodyUnlessItsTypeIsSimulated) {
+  class Simulated : public SimulatedExplorer {
+   public:
+    Simulated() : SimulatedExplorer({{"ball", {}, {}}}, "a simulation") {}
+
+   protected:
+    Result<Exploration> simulate(std::size_t, std::size_t trial,
+                                 const ExploreOptions&) const override {
+      if (trial == 1) return fail(ErrorKind::kData, "it fell");
+      return Exploration{};
+    }
+  };
+  EXPECT_TRUE(TwoSteps().moves_real_body());
+  const Simulated constant;
+  EXPECT_FALSE(constant.moves_real_body());
+  EXPECT_EQ(constant.explore(0, 0).value().source, "a simulation");
+  EXPECT_EQ(constant.explore(0, 1).error().where, "ball");
+  EXPECT_THROW((void)constant.explore(1, 0), InvalidArgument);
+  Simulated simulated;
+  Explorer& any = simulated;
+  EXPECT_EQ(any.explore(0, 0).value().source, "a simulation");
 }
 
 TEST(Explorer, ShowsItsObserverTheSceneAndEachStep) {

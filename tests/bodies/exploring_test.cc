@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
+#include <functional>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "somato/core/check.h"
 
@@ -15,10 +20,40 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Exploration named(std::size_t item, std::size_t trial) {
-  Exploration exploration;
-  exploration.source = fmt::format("{}.{}", item, trial);
-  return exploration;
+Exploration exploration_named(std::size_t item, std::size_t trial) {
+  return Exploration{{{"name", fmt::format("{}.{}", item, trial)}}, "", {}};
+}
+
+std::string name_of(const Exploration& exploration) {
+  return exploration.labels.front().value;
+}
+
+// Explores by a function.
+class FunctionExplorer : public SimulatedExplorer {
+ public:
+  FunctionExplorer(std::size_t items, Explore explore)
+      : SimulatedExplorer(std::vector<ExploredThing>(items), ""), explore_(std::move(explore)) {}
+
+ protected:
+  Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                               const ExploreOptions&) const override {
+    return explore_(thing, trial);
+  }
+
+ private:
+  Explore explore_;
+};
+
+struct Plan {
+  std::size_t items = 0;
+  std::size_t each = 1;
+  std::size_t threads = 1;
+};
+
+Result<ExploringOutcome> explore_all(const Plan& plan, const Explore& explore,
+                                     const ExplorationSink& sink, const Progress& progress = {}) {
+  return somato::explore_all(FunctionExplorer(plan.items, explore), {plan.each}, plan.threads, {},
+                             sink, progress);
 }
 
 // Keeps the names of what comes.
@@ -26,7 +61,7 @@ struct Keeper {
   Names names;
   ExplorationSink sink() {
     return [this](Exploration&& exploration) -> Result<void> {
-      names.push_back(exploration.source);
+      names.push_back(name_of(exploration));
       return {};
     };
   }
@@ -35,7 +70,8 @@ struct Keeper {
 // Those of items x each in order, up to `count`.
 Names in_order(std::size_t count, std::size_t each) {
   Names names;
-  for (std::size_t i = 0; i < count; ++i) names.push_back(named(i / each, i % each).source);
+  for (std::size_t i = 0; i < count; ++i)
+    names.push_back(name_of(exploration_named(i / each, i % each)));
   return names;
 }
 
@@ -44,7 +80,7 @@ Names in_order(std::size_t count, std::size_t each) {
 Result<Exploration> uneven(std::size_t item, std::size_t trial) {
   const std::size_t turns = (item + trial) % 4 == 0 ? 2000 : 1;
   for (std::size_t i = 0; i < turns; ++i) std::this_thread::yield();
-  return named(item, trial);
+  return exploration_named(item, trial);
 }
 
 TEST(ExploreAllThreads, HandOnInOrderWhateverTheirNumber) {
@@ -65,7 +101,7 @@ TEST(ExploreAllThreads, EachIsExploredOnce) {
       {4, 3, 3},
       [&](std::size_t item, std::size_t trial) -> Result<Exploration> {
         ++times[item * 3 + trial];
-        return named(item, trial);
+        return exploration_named(item, trial);
       },
       keeper.sink()));
   for (const auto& count : times) EXPECT_EQ(count, 1);
@@ -73,7 +109,7 @@ TEST(ExploreAllThreads, EachIsExploredOnce) {
 
 TEST(ExploreAll, NothingToDoIsDone) {
   Keeper keeper;
-  for (const ExploringPlan& plan : {ExploringPlan{0, 5, 2}, {5, 0, 2}}) {
+  for (const Plan& plan : {Plan{0, 5, 2}, {5, 0, 2}}) {
     const auto outcome = explore_all(plan, uneven, keeper.sink());
     ASSERT_TRUE(outcome);
     EXPECT_EQ(outcome->recorded, 0U);
@@ -96,7 +132,7 @@ TEST(ExploreAllThreads, AFailureIsListedAndNotRecorded) {
     EXPECT_EQ(outcome->recorded, 9U);
     ASSERT_EQ(outcome->failures.size(), 3U);
     EXPECT_EQ(outcome->failures[0].error.what, "it flew away 0 0");
-    EXPECT_EQ(outcome->failures[1].item, 1U);
+    EXPECT_EQ(outcome->failures[1].thing, 1U);
     EXPECT_EQ(outcome->failures[1].trial, 2U);
     EXPECT_EQ(outcome->failures[2].error.what, "it flew away 3 1");
   }
@@ -160,7 +196,7 @@ TEST(ExploreAllThreads, ThoseAheadWaitForTheFirst) {
           most_before_first = ended.load();
         }
         ++ended;
-        return named(item, trial);
+        return exploration_named(item, trial);
       },
       keeper.sink());
   ASSERT_TRUE(outcome);
@@ -179,8 +215,8 @@ TEST(ExploreAllThreads, AFailingSinkStopsAll) {
           return uneven(item, trial);
         },
         [&](Exploration&& exploration) -> Result<void> {
-          if (exploration.source == "7.0") return fail(ErrorKind::kSystem, "the disk is full");
-          names.push_back(exploration.source);
+          if (name_of(exploration) == "7.0") return fail(ErrorKind::kSystem, "the disk is full");
+          names.push_back(name_of(exploration));
           return {};
         });
     ASSERT_FALSE(outcome);
@@ -228,7 +264,7 @@ TEST(ExploreAllThreads, AnExplorationThatIsInterruptedStopsAll) {
       {20, 1, 2},
       [](std::size_t item, std::size_t trial) -> Result<Exploration> {
         if (item == 4) return fail(ErrorKind::kInterrupted, "a stop was requested");
-        return named(item, trial);
+        return exploration_named(item, trial);
       },
       keeper.sink());
   ASSERT_FALSE(outcome);
@@ -260,18 +296,81 @@ TEST(ExploreAllThreads, AnExceptionWakesThoseWhoWait) {
         throw std::runtime_error("broken");
       }
       ++ended;
-      return named(item, trial);
+      return exploration_named(item, trial);
     };
     EXPECT_THROW((void)explore_all({60, 1, threads}, explore, keeper.sink()), std::runtime_error);
     EXPECT_EQ(keeper.names, in_order(3, 1));
   }
 }
 
-TEST(ExploreAll, NothingThatExploresIsACallersMistake) {
+TEST(ExploreAll, NoSinkAndUnknownThingsAreMistakesOfTheCaller) {
   Keeper keeper;
-  EXPECT_THROW((void)explore_all({1, 1, 1}, {}, keeper.sink()), InvalidArgument);
   EXPECT_THROW((void)explore_all({1, 1, 1}, uneven, {}), InvalidArgument);
+  EXPECT_THROW(
+      (void)somato::explore_all(FunctionExplorer(2, uneven), {1, 0, {{2}}}, 1, {}, keeper.sink()),
+      InvalidArgument);
 }
+
+TEST(ExploreAll, ExploresTheThingsAndTrialsOfThePlan) {
+  Keeper keeper;
+  const auto outcome =
+      somato::explore_all(FunctionExplorer(5, uneven), {2, 7, {{3, 1}}}, 2, {}, keeper.sink());
+  ASSERT_TRUE(outcome);
+  EXPECT_EQ(keeper.names, (Names{"3.7", "3.8", "1.7", "1.8"}));
+}
+
+// Which thread explores is seen by a body that is used by one.
+class OneThreadExplorer : public Explorer {
+ public:
+  OneThreadExplorer() : Explorer(std::vector<ExploredThing>(6), "") {}
+
+  std::set<std::thread::id> threads;
+  std::size_t explored = 0;  // unprotected, so that the thread sanitizer sees a second thread
+
+ protected:
+  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
+                                    const ExploreOptions&) override {
+    threads.insert(std::this_thread::get_id());
+    ++explored;
+    return exploration_named(thing, trial);
+  }
+};
+
+TEST(ExploreAllThreads, ABodyThatMayBeRealIsExploredByTheCallingThread) {
+  OneThreadExplorer explorer;
+  Keeper keeper;
+  ASSERT_TRUE(somato::explore_all(explorer, {2}, {}, keeper.sink()));
+  EXPECT_EQ(keeper.names, in_order(12, 2));
+  EXPECT_EQ(explorer.explored, 12U);
+  EXPECT_EQ(explorer.threads, std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
+TEST(ExploreAll, AFunctionMayExploreInTurn) {
+  OneThreadExplorer explorer;
+  Keeper keeper;
+  ASSERT_TRUE(explore_in_turn(
+      explorer, {1, 3, {{4, 2}}},
+      [&](std::size_t thing, std::size_t trial) { return explorer.explore(thing, trial); },
+      keeper.sink()));
+  EXPECT_EQ(keeper.names, (Names{"4.3", "2.3"}));
+  EXPECT_EQ(explorer.threads, std::set<std::thread::id>{std::this_thread::get_id()});
+  EXPECT_THROW((void)explore_in_turn(explorer, {}, {}, keeper.sink()), InvalidArgument);
+}
+
+// No call explores such a body in other threads, nor one that is constant: the types refuse it.
+template <typename Explorer>
+concept ExploredInThreads = requires(Explorer& explorer, const ExplorationSink& sink) {
+  somato::explore_all(explorer, {}, std::size_t{2}, ExploreOptions{}, sink);
+};
+template <typename Explorer>
+concept ExploredInTurn = requires(Explorer& explorer, const ExplorationSink& sink) {
+  somato::explore_all(explorer, {}, ExploreOptions{}, sink);
+};
+static_assert(ExploredInThreads<const FunctionExplorer>);
+static_assert(!ExploredInThreads<Explorer>);
+static_assert(!ExploredInThreads<OneThreadExplorer>);
+static_assert(ExploredInTurn<OneThreadExplorer>);
+static_assert(!ExploredInTurn<const OneThreadExplorer>);
 
 }  // namespace
 }  // namespace somato

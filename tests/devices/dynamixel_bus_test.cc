@@ -312,17 +312,37 @@ TEST(DynamixelBus, RelaxingWorksAfterAnyPartOfATick) {
   }
 }
 
+TEST(DynamixelBus, TemperaturesAreReadFiveTimesInASecond) {
+  DynamixelHand hand(2);
+  hand.servos.heat(1, 71);
+  ASSERT_TRUE(hand.bus.start(hand.exchange));
+  EXPECT_TRUE(std::isnan(hand.bus.reports()[1].temperature));
+  for (int i = 0; i < 20; ++i) {
+    const auto tick = hand.bus.tick(std::vector<double>(2, kLeft), 0.02);
+    ASSERT_TRUE(hand.exchange.send(tick));
+    hand.exchange.pause(0.02);
+    hand.take();
+    EXPECT_NEAR(hand.bus.reports()[1].time, hand.line.now(), 0.02) << "its state comes as well";
+  }
+  EXPECT_EQ(hand.bus.reports()[0].temperature, 0.0);
+  EXPECT_EQ(hand.bus.reports()[1].temperature, 71.0);
+}
+
 TEST(DynamixelBus, BytesOfATickAreBounded) {
   DynamixelHand hand(16);
   for (std::size_t i = 0; i < 16; ++i) {
     hand.servos.store(i, dynamixel_x::kOperatingMode, 1, 5);
-    // Current -1 and velocity -3 look like a header, as does the position.
+    // From the current to the temperature, all bytes look like headers.
     hand.servos.set_measured(i, -131073.0, -1.0);
-    hand.servos.store(i, 128, 4, 0xFFFFFFFD);
+    hand.servos.store(i, 128, 4, 0xFDFFFFFD);
+    hand.servos.store(i, 136, 4, 0xFFFFFDFF);
+    hand.servos.store(i, 140, 4, 0xFDFFFFFD);
+    hand.servos.store(i, 144, 2, 0xFFFF);
+    hand.servos.heat(i, 0xFD);
   }
   ASSERT_TRUE(hand.bus.start(hand.exchange));
   const std::size_t before = hand.line.sent.size();
-  const auto tick = hand.bus.tick(std::vector<double>(16, -131073.0), 0.02);
+  const auto tick = hand.bus.tick(std::vector<double>(16, -131073.0), 0.2);
   const std::size_t size = tick.size();
   ASSERT_TRUE(hand.exchange.send(tick));
   hand.exchange.pause(0.02);

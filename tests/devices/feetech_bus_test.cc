@@ -176,7 +176,7 @@ TEST(FeetechBus, AnScsTickHasGoalsWithTimesAndAsksOneServo) {
   const Bytes goals{0xFF, 0xFF, 0xFE, 18, 0x83, 42, 6,  //
                     1,    1,    0x4D, 0,  20,   0,  0, 2, 3, 0xFF, 0, 20, 0, 0};
   EXPECT_EQ(Bytes(bytes.begin(), bytes.begin() + 21), goals);
-  EXPECT_EQ(Bytes(bytes.begin() + 22, bytes.end() - 1), (Bytes{0xFF, 0xFF, 1, 4, 2, 56, 6}));
+  EXPECT_EQ(Bytes(bytes.begin() + 22, bytes.end() - 1), (Bytes{0xFF, 0xFF, 1, 4, 2, 56, 8}));
   EXPECT_TRUE(hand.bus.follow_up().empty());  // it has not answered yet
   for (int i = 0; i < 2; ++i) {
     EXPECT_TRUE(hand.bus.tick(std::vector<double>(2, kAsItIs), 0.02).empty());

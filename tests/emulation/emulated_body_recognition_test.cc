@@ -91,11 +91,11 @@ class Explorers {
                                                       std::move(surroundings));
   }
 
-  const Explorer& direct() const { return *direct_; }
-  const Explorer& through_lines() const { return *through_lines_; }
+  Explorer& direct() { return *direct_; }
+  Explorer& through_lines() { return *through_lines_; }
 
   // The trials from `first` to before `end` of all things.
-  Recording explored_by(const Explorer& explorer, std::size_t first, std::size_t end) const {
+  Recording explored_by(Explorer& explorer, std::size_t first, std::size_t end) const {
     Recording recording;
     for (const std::size_t thing : given_.things) {
       for (std::size_t trial = first; trial < end; ++trial) {
@@ -118,7 +118,7 @@ class Explorers {
 
   RecognizingCase given_;
   ObjectTable table_;
-  std::unique_ptr<Explorer> direct_;
+  std::unique_ptr<SimulatedExplorer> direct_;
   testing::EmulatedDevice device_;
   std::unique_ptr<Explorer> through_lines_;
 };
@@ -167,7 +167,7 @@ class Recognition : public ::testing::TestWithParam<RecognizingCase> {};
 INSTANTIATE_TEST_SUITE_P(Bodies, Recognition, ::testing::ValuesIn(recognizing_cases()), case_name);
 
 TEST_P(Recognition, WorksThroughLinesAsInTheSimulation) {
-  const Explorers explorers(GetParam());
+  Explorers explorers(GetParam());
   const auto of_lines =
       learned_from(GetParam(), explorers.explored_by(explorers.through_lines(), 0, 1));
   const auto of_simulation =

@@ -13,14 +13,14 @@ namespace somato::testing {
 /// Explores without physics, with the channels of hand_recording() but for the sound: steps of a
 /// tenth of a second, of which it records every other one. Its sensations depend on the thing and
 /// the trial only.
-class FakeExplorer : public Explorer {
+class FakeExplorer : public SimulatedExplorer {
  public:
   explicit FakeExplorer(std::size_t steps = 10)
-      : Explorer({thing("ball"), thing("cube")}, ""), steps_(steps) {}
+      : SimulatedExplorer({thing("ball"), thing("cube")}, ""), steps_(steps) {}
 
  protected:
-  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override {
+  Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                               const ExploreOptions& options) const override {
     if (options.placement && options.placement->x > 40.0) {
       return fail(ErrorKind::kData, "the object is out of reach");
     }

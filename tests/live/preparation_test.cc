@@ -21,7 +21,36 @@ using testing::eventually;
 using testing::state_of;
 
 Recording labelled(std::size_t explorations) {
-  return testing::hand_source(explorations).recording;
+  Recording recording = testing::hand_source(explorations).recording;
+  for (Exploration& one : recording.explorations) one.source = "prior";
+  return recording;
+}
+
+using Explore = std::function<Result<Exploration>(std::size_t thing, std::size_t round,
+                                                  const std::function<bool()>& should_continue)>;
+
+// Explores by a function.
+class PriorExplorer : public SimulatedExplorer {
+ public:
+  PriorExplorer(std::size_t things, Explore explore)
+      : SimulatedExplorer(std::vector<ExploredThing>(things), "prior"),
+        explore_(std::move(explore)) {}
+
+ protected:
+  Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                               const ExploreOptions& options) const override {
+    return explore_(thing, trial, options.limits.should_continue);
+  }
+
+ private:
+  Explore explore_;
+};
+
+PriorExplorations prior(std::size_t rounds, std::size_t things, Explore explore) {
+  PriorExplorations explorations{
+      rounds, std::make_shared<PriorExplorer>(things, std::move(explore)), {}};
+  for (std::size_t i = 0; i < things; ++i) explorations.things.push_back(i);
+  return explorations;
 }
 
 // The result of each round of a preparation that ends by itself.
@@ -39,38 +68,51 @@ std::vector<Result<live::Prepared>> prepared(PriorExplorations explorations) {
 }
 
 TEST(PreparationThread, TrainsTheSystemAfterEachRound) {
-  const auto rounds = prepared({2, [](std::size_t round, const auto&) -> Result<Recording> {
-                                  return labelled(4 + 2 * round);
-                                }});
+  const Recording all = labelled(8);
+  const auto rounds = prepared(prior(2, 4, [&](std::size_t thing, std::size_t round, const auto&) {
+    return Result<Exploration>(all.explorations[4 * round + thing]);
+  }));
   ASSERT_EQ(rounds.size(), 2U);
   EXPECT_FALSE(rounds[0]->is_last);
   EXPECT_EQ(*rounds[0]->recording, labelled(4));
-  Recording all = labelled(4);
-  for (const Exploration& one : labelled(6).explorations) all.explorations.push_back(one);
   EXPECT_EQ(*rounds[1]->recording, all);
   const auto expected = testing::trained_model(crossed_system(), all);
   EXPECT_EQ(rounds[1]->model->answer->labels, expected->answer->labels);
 }
 
+TEST(PreparationThread, ExploresTheGivenThingsOnly) {
+  const Recording all = labelled(8);
+  auto explorations = prior(1, 8, [&](std::size_t thing, std::size_t, const auto&) {
+    return Result<Exploration>(all.explorations[thing]);
+  });
+  explorations.things = {1, 2, 5, 6};
+  const auto rounds = prepared(std::move(explorations));
+  ASSERT_EQ(rounds.size(), 1U);
+  ASSERT_TRUE(rounds[0]) << to_string(rounds[0].error());
+  ASSERT_EQ(rounds[0]->recording->explorations.size(), 4U);
+  EXPECT_EQ(rounds[0]->recording->explorations[2], all.explorations[5]);
+}
+
 TEST(PreparationThread, PassesErrorsOn) {
-  const auto failed = prepared({2, [](std::size_t, const auto&) -> Result<Recording> {
-                                  return fail(ErrorKind::kData, "too far away");
-                                }});
+  const auto failed = prepared(prior(2, 1, [](std::size_t, std::size_t, const auto&) {
+    return Result<Exploration>(fail(ErrorKind::kData, "too far away"));
+  }));
   ASSERT_EQ(failed.size(), 1U);
   EXPECT_EQ(failed[0].error().what, "too far away");
-  const auto single =
-      prepared({1, [](std::size_t, const auto&) -> Result<Recording> { return labelled(1); }});
+  const auto single = prepared(prior(1, 1, [](std::size_t, std::size_t, const auto&) {
+    return Result<Exploration>(labelled(1).explorations[0]);
+  }));
   EXPECT_FALSE(single[0]);
 }
 
 TEST(PreparationThread, EndsWhenItIsStopped) {
   live::Preparation preparation;
   std::promise<ErrorKind> done;
-  const PriorExplorations explorations{
-      1, [](std::size_t, const std::function<bool()>& should_continue) -> Result<Recording> {
+  const auto explorations =
+      prior(1, 1, [](std::size_t, std::size_t, const auto& should_continue) -> Result<Exploration> {
         while (should_continue()) std::this_thread::yield();
         return fail(ErrorKind::kInterrupted, "stopped");
-      }};
+      });
   preparation.start(
       testing::view_system(crossed_system()), explorations, 1,
       [&](const Result<live::Prepared>& result) { done.set_value(result.error().kind); });
@@ -81,8 +123,9 @@ TEST(PreparationThread, EndsWhenItIsStopped) {
 // The system is used as soon as it is there; others learn from the same explorations.
 TEST(PreparationThread, GivesAViewItsFirstSystem) {
   ViewSource source = testing::hand_source(2);
-  source.prior_explorations = {
-      1, [](std::size_t, const auto&) -> Result<Recording> { return labelled(6); }};
+  source.prior_explorations = prior(1, 6, [](std::size_t thing, std::size_t, const auto&) {
+    return Result<Exploration>(labelled(6).explorations[thing]);
+  });
   source.systems = {testing::view_system(crossed_system(), "first"),
                     testing::view_system(testing::two_maps_system(), "second")};
   source.system = 0;

@@ -55,9 +55,9 @@ TEST(SessionFaultsThread, OutlivesAMistakeWhileItPlays) {
 // Breaks as soon as it is to explore a cube.
 class BrokenBody : public testing::FakeExplorer {
  protected:
-  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override {
-    auto explored = testing::FakeExplorer::explore_thing(thing, trial, options);
+  Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                               const ExploreOptions& options) const override {
+    auto explored = testing::FakeExplorer::simulate(thing, trial, options);
     if (thing == 1) throw std::runtime_error("a finger broke");
     return explored;
   }

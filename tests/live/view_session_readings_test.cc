@@ -154,7 +154,7 @@ TEST(SessionReadingsThread, AreSaidOnceThoughAViewerGoesBackAndAhead) {
   expect_said(listener.said_, expected_of(session.recording().explorations));
 }
 
-ViewSource planned_source(std::unique_ptr<const Explorer> explorer) {
+ViewSource planned_source(std::unique_ptr<Explorer> explorer) {
   ViewSource source;
   source.name = "fake";
   source.explorer = std::move(explorer);
@@ -187,9 +187,9 @@ TEST(SessionReadingsThread, OfABodyAreThoseOfItsRecording) {
 // Gives twice as many frames as were felt, as a probe whose recording has another form.
 class LongerExplorer : public testing::FakeExplorer {
  protected:
-  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override {
-    auto exploration = FakeExplorer::explore_thing(thing, trial, options);
+  Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                               const ExploreOptions& options) const override {
+    auto exploration = FakeExplorer::simulate(thing, trial, options);
     if (!exploration) return exploration;
     for (Channel& channel : exploration->channels) {
       const Matrix<float> felt = channel.frames;
@@ -222,9 +222,9 @@ TEST(SessionReadingsThread, OfAnExplorationOfAnotherFormHaveItsEndOnly) {
 // Its second trial fails after its steps.
 class FailingExplorer : public testing::FakeExplorer {
  protected:
-  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                    const ExploreOptions& options) const override {
-    auto exploration = FakeExplorer::explore_thing(thing, trial, options);
+  Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                               const ExploreOptions& options) const override {
+    auto exploration = FakeExplorer::simulate(thing, trial, options);
     if (exploration && trial == 1) return fail(ErrorKind::kData, "the hand is stuck");
     return exploration;
   }

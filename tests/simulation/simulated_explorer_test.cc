@@ -31,21 +31,21 @@ ExploringParameters short_plan() {
   return parameters;
 }
 
-std::unique_ptr<Explorer> built(ExploringBody body, const ObjectTable& things,
-                                const ExploringParameters& parameters = short_plan(),
-                                std::uint64_t seed = 1) {
+std::unique_ptr<SimulatedExplorer> built(ExploringBody body, const ObjectTable& things,
+                                         const ExploringParameters& parameters = short_plan(),
+                                         std::uint64_t seed = 1) {
   auto explorer = simulated_explorer(body, things, parameters, seed);
   EXPECT_TRUE(explorer) << to_string(explorer.error());
   return std::move(*explorer);
 }
 
-std::vector<std::string> names_of(const Explorer& explorer) {
+std::vector<std::string> names_of(const SimulatedExplorer& explorer) {
   std::vector<std::string> names;
   for (const ExploredThing& thing : explorer.things()) names.push_back(thing.name);
   return names;
 }
 
-Exploration explored(const Explorer& explorer, std::size_t thing, std::size_t trial) {
+Exploration explored(const SimulatedExplorer& explorer, std::size_t thing, std::size_t trial) {
   auto exploration = explorer.explore(thing, trial);
   EXPECT_TRUE(exploration) << to_string(exploration.error());
   Recording single;
@@ -206,10 +206,8 @@ TEST(SimulatedExplorer, ThreadsGiveTheSameRecording) {
   const auto explorer = built(ExploringBody::kLucs2, two_objects());
   const auto recorded = [&](std::size_t threads) {
     std::vector<Exploration> explorations;
-    const auto outcome = explore_all(
-        {explorer->things().size(), 2, threads},
-        [&](std::size_t thing, std::size_t trial) { return explorer->explore(thing, trial); },
-        [&](Exploration&& exploration) -> Result<void> {
+    const auto outcome =
+        explore_all(*explorer, {2}, threads, {}, [&](Exploration&& exploration) -> Result<void> {
           explorations.push_back(std::move(exploration));
           return {};
         });

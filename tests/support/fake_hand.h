@@ -32,6 +32,8 @@ class FakeHand : public Body {
 
   /// The servos never go further than a stop at these positions, whatever their targets.
   std::vector<double> stops;
+  /// The servos move at these speeds, whatever their targets; 0: they obey.
+  std::vector<double> drifts;
   /// The step, counting from 1, that fails; 0: none does.
   std::size_t failing_step = 0;
   /// The commands, and the positions of the servos after each step.
@@ -57,8 +59,10 @@ class FakeHand : public Body {
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       const double way = description_.degrees_of_freedom[i].fastest * seconds;
       double& at = state_.positions[i];
+      const double from = at;
       at = std::clamp(targets_[i], at - way, at + way);
       if (!stops.empty()) at = std::min(at, stops[i]);
+      if (!drifts.empty() && drifts[i] != 0.0) at = from + drifts[i] * seconds;
     }
     const double before = state_.time;
     state_.time += seconds;

@@ -256,6 +256,7 @@ export function fakeState(): State {
     training: false,
     demonstrated: null,
     clients: 1,
+    awaits_start: false,
     problem: null,
   };
 }

@@ -75,6 +75,22 @@ describe("the commands that it sends", () => {
     await view.page.getByRole("alert").getByText("The hand cannot hold that.").waitFor();
   });
 
+  it("starts a real body by a press of Start only", async () => {
+    await view.open({ ...bodyState(), awaits_start: true });
+    await soon(() => words(view.page, ".scene-note")).toContain("it moves when you press Start");
+    await view.page.reload();
+    await view.page.getByRole("button", { name: "Start", exact: true }).waitFor();
+    await view.server.stop();
+    await view.server.start();
+    await view.page.getByRole("button", { name: "Try now" }).click();
+    await view.page.getByRole("button", { name: "Try now" }).waitFor({ state: "hidden" });
+    expect(view.server.commands).toEqual([]);
+    await view.page.getByRole("button", { name: "Start", exact: true }).click();
+    await view.received({ command: "explore" });
+    view.server.change({ awaits_start: false, live: true });
+    await view.page.getByRole("button", { name: "Restart", exact: true }).waitFor();
+  });
+
   it("lets one watch a map learn, and stops it", async () => {
     await view.open();
     await view.page.getByRole("button", { name: "Train", exact: true }).click();

@@ -47,8 +47,8 @@ struct ExploreOptions {
   ExplorationObserver observer = {};
 };
 
-/// Explores objects or materials with a body, simulated or real; const functions of a simulated one
-/// can be used by several threads.
+/// Explores objects or materials with a body, simulated or real. A real body has one line, which
+/// one thread uses at a time: exploring changes the explorer.
 class Explorer {
  public:
   Explorer(const Explorer&) = delete;
@@ -59,12 +59,21 @@ class Explorer {
 
   const std::vector<ExploredThing>& things() const { return things_; }
 
-  /// Explores a thing (counting from 0), as trial number `trial` (from 0). The result of a
-  /// simulated body depends only on these, the placement and its seed. Throws InvalidArgument for
-  /// an unknown thing. Errors name the thing: failures of the exploration; those of the observer.
-  /// There is no exploration then.
+  /// Whether its explorations move a real body. These have a person's command as their cause, never
+  /// an event such as a page that opens.
+  virtual bool moves_real_body() const { return true; }
+
+  /// Whether a fault has stopped a real body. It then does not explore until resume().
+  virtual bool is_stopped() const { return false; }
+
+  /// A person lets the body move again after a fault.
+  virtual void resume() {}
+
+  /// Explores a thing (counting from 0), as trial number `trial` (from 0). Throws InvalidArgument
+  /// for an unknown thing. Errors name the thing: failures of the exploration; those of the
+  /// observer. There is no exploration then.
   Result<Exploration> explore(std::size_t thing, std::size_t trial,
-                              const ExploreOptions& options = {}) const;
+                              const ExploreOptions& options = {});
 
  protected:
   /// `source` is the source of every exploration.
@@ -72,11 +81,39 @@ class Explorer {
       : things_(std::move(things)), source_(std::move(source)) {}
 
   virtual Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
-                                            const ExploreOptions& options) const = 0;
+                                            const ExploreOptions& options) = 0;
+
+  /// The exploration of a thing with its source, or its error with the name of the thing.
+  Result<Exploration> named(std::size_t thing, Result<Exploration> explored) const;
 
  private:
   std::vector<ExploredThing> things_;
   std::string source_;
+};
+
+/// Explores with simulated bodies, a new one for each exploration: several threads can explore at
+/// once, and nothing real moves. Code that explores without a person's command, such as in the
+/// background, takes this type.
+class SimulatedExplorer : public Explorer {
+ public:
+  bool moves_real_body() const final { return false; }
+
+  /// See Explorer::explore(). The result depends only on the thing, the trial, the placement and
+  /// the seed of the simulation.
+  Result<Exploration> explore(std::size_t thing, std::size_t trial,
+                              const ExploreOptions& options = {}) const;
+
+ protected:
+  using Explorer::Explorer;
+
+  virtual Result<Exploration> simulate(std::size_t thing, std::size_t trial,
+                                       const ExploreOptions& options) const = 0;
+
+ private:
+  Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
+                                    const ExploreOptions& options) final {
+    return simulate(thing, trial, options);
+  }
 };
 
 /// Prepares a body for an exploration with these options: its limits, and its observer, which

@@ -53,9 +53,10 @@ class GraspPictures;
 ///
 /// Checks that every thing fits before any movement. Errors: kUsage for a table without such things
 /// and for objects that do not fit the hand; those of HandScene::build() and of the probes.
-Result<std::unique_ptr<Explorer>> simulated_explorer(ExploringBody body, const ObjectTable& things,
-                                                     const ExploringParameters& parameters,
-                                                     std::uint64_t seed,
-                                                     GraspPictures* pictures = nullptr);
+Result<std::unique_ptr<SimulatedExplorer>> simulated_explorer(ExploringBody body,
+                                                              const ObjectTable& things,
+                                                              const ExploringParameters& parameters,
+                                                              std::uint64_t seed,
+                                                              GraspPictures* pictures = nullptr);
 
 }  // namespace somato

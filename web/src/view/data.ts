@@ -112,6 +112,10 @@ export interface State {
   demonstrated: number | null;
   /** Number of connected viewers. */
   clients: number;
+  /**
+   * Whether a real body moves only after the command explore: at the beginning, and after a fault.
+   */
+  awaits_start: boolean;
   /** A sentence: the last error. */
   problem: string | null;
 }

@@ -49,7 +49,7 @@ export class Exploring {
       );
     this.listed = names.join("\n");
     this.thing.value = state.thing ?? "";
-    this.again.textContent = state.live ? "Restart" : "Explore";
+    this.again.textContent = state.awaits_start ? "Start" : state.live ? "Restart" : "Explore";
     this.numbers.forEach((number, i) => {
       const value = state.placement?.[kParts[i]!.name];
       this.fields[i]!.hidden = value === undefined; // a probe has its material below it

@@ -137,6 +137,7 @@ function hasPads(model: Model): boolean {
 
 function nothingYet(state: State): string {
   if (state.source === "recording") return "This recording has no explorations.";
+  if (state.awaits_start) return "This body is real: it moves when you press Start below. Keep your hands away from it.";
   return "There is no exploration yet: select an object below and press Explore.";
 }
 

@@ -86,8 +86,10 @@ export class NamingQuestion {
     };
   }
 
+  /** Only what is played: a question neither holds a body that explores nor lets it move on. */
   private pause(): void {
-    if (this.hasPaused || this.model.shownState.value?.playing !== true) return;
+    const state = this.model.shownState.value;
+    if (this.hasPaused || state?.playing !== true || state.live) return;
     this.hasPaused = true;
     void this.model.send({ command: "pause" });
   }
