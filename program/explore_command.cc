@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "bodies/exploration_draft.h"
 #include "commands.h"
 #include "data.h"
 #include "device.h"
@@ -14,9 +15,10 @@
 #include "files/toml_file.h"
 #include "output.h"
 #include "output_folder.h"
+#include "recording/growing_recording.h"
+#include "session_recording.h"
 #include "simulation/hand_picture.h"
 #include "somato/bodies/exploring.h"
-#include "somato/recording/recording_file.h"
 #include "somato/simulation/simulated_explorer.h"
 #include "terminal.h"
 #include "topics.h"
@@ -68,6 +70,7 @@ struct Request {
   std::string output;
   std::string image_folder;
   std::size_t longest = 600;  // s of the body's time
+  bool is_real = false;       // A device or a robot, whose explorations cannot be repeated.
 };
 
 // Flags of simulated bodies that a device or topics would ignore.
@@ -93,7 +96,7 @@ Result<Request> real_request(const Arguments& arguments, const std::string& sour
   const std::size_t count = explorer->things().size();
   return Request{
       nullptr, std::move(explorer),  {count, explorations.value_or(5), 1}, arguments.text("output"),
-      {},      longest.value_or(600)};
+      {},      longest.value_or(600), true};
 }
 
 Result<Request> read_device_request(const Arguments& arguments) {
@@ -136,15 +139,12 @@ Result<Request> read_request(const Arguments& arguments) {
 // The number of frames per step of a hand's exploration; of a probe, of its only channel.
 class FrameSpread {
  public:
-  void add(const Exploration& exploration) {
-    const std::size_t frames = exploration.channels.front().frames.rows();
+  void add(std::size_t frames) {
     least_ = std::min(least_.value_or(frames), frames);
     most_ = std::max(most_, frames);
     sum_ += frames;
     ++count_;
   }
-
-  std::size_t count() const { return count_; }
 
   std::string text() const {
     if (least_ == most_) return counted(most_, "frame") + " each";
@@ -195,21 +195,42 @@ Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
       request.output);
 }
 
-Result<void> explore_into(RecordingFile& file, const Request& request) {
+// What a real body feels is saved while it explores.
+ExplorationObserver saving_observer(ExplorationDraft& draft, std::vector<Label> labels) {
+  return {[&draft, labels = std::move(labels)](const BodyDescription& body,
+                                               const Scene&) -> Result<void> {
+            draft.begin(body, labels);
+            return {};
+          },
+          [&draft](const ExplorationStep& step) {
+            return step.readings == Readings::kRecorded ? draft.append(step.state)
+                                                        : Result<void>();
+          }};
+}
+
+Result<Exploration> explore_one(GrowingRecording& file, const Request& request, std::size_t thing,
+                                std::size_t trial) {
+  ExploreOptions options{
+      .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
+  if (!request.is_real) return request.explorer->explore(thing, trial, options);
+  ExplorationDraft draft(file);
+  options.observer = saving_observer(draft, request.explorer->labels(thing, trial));
+  auto explored = request.explorer->explore(thing, trial, options);
+  if (!explored) SOMATO_TRY_VOID(file.drop_draft());
+  return explored;
+}
+
+Result<void> explore_into(GrowingRecording& file, const Request& request) {
   FrameSpread spread;
   const auto sink = [&](Exploration&& exploration) {
-    spread.add(exploration);
-    return file.add(std::move(exploration));
+    const std::size_t frames = exploration.channels.front().frames.rows();
+    return file.add(std::move(exploration)).map([&] { spread.add(frames); });
   };
-  const ExploreOptions options{
-      .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
   const auto explore = [&](std::size_t thing, std::size_t trial) {
-    return request.explorer->explore(thing, trial, options);
+    return explore_one(file, request, thing, trial);
   };
   auto outcome = explore_all(request.plan, explore, sink, terminal_progress("exploring"));
-  const bool interrupted = !outcome && outcome.error().kind == ErrorKind::kInterrupted;
-  if (!outcome && !interrupted) return fail(std::move(outcome.error()));
-  const std::size_t recorded = spread.count();
+  const std::size_t recorded = file.count();
   if (recorded == 0 && outcome) {
     report_failures(request, *outcome);
     return fail(ErrorKind::kData, "every exploration failed; no recording was saved",
@@ -219,8 +240,8 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   SOMATO_TRY_VOID(file.finish());
   print_summary(fmt::format("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
                             counted(request.plan.items, "thing"), spread.text()));
-  if (!interrupted) return judge(request, *outcome);
-  outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
+  if (outcome) return judge(request, *outcome);
+  outcome.error().advice = saved_text(file);
   return fail(std::move(outcome.error()));
 }
 
@@ -230,8 +251,8 @@ Result<void> run_explore(const Arguments& arguments) {
   if (!request.image_folder.empty()) {
     SOMATO_TRY_VOID(images.make());
   }
-  SOMATO_TRY(auto file, RecordingFile::begin(request.output));
-  return explore_into(file, request);
+  SOMATO_TRY(const auto file, GrowingRecording::begin(request.output));
+  return explore_into(*file, request);
 }
 
 }  // namespace

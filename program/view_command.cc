@@ -173,7 +173,8 @@ Result<void> run_view(const Arguments& given) {
   if (arguments.has("render")) return render_view(arguments, std::move(source));
   SOMATO_TRY(auto served, view_pages());
   SessionRecording recording(arguments.text("output"));
-  SOMATO_TRY_VOID(recording.begin(source));
+  SOMATO_TRY_VOID(recording.begin());
+  source.file = recording.file();
   catch_stop_requests();
   ViewSession session(std::move(source), settings_of(arguments));
   session.start();

@@ -4,6 +4,12 @@
 
 namespace somato {
 
+std::vector<Label> Explorer::labels(std::size_t thing, std::size_t trial) const {
+  const ExploredThing& explored = things_.at(thing);
+  return explored.object ? labels_of(*explored.object, trial)
+                         : labels_of(explored.material, trial);
+}
+
 Result<Exploration> Explorer::explore(std::size_t thing, std::size_t trial,
                                       const ExploreOptions& options) const {
   require(thing < things_.size(), "Explorer::explore: no such thing");

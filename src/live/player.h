@@ -106,7 +106,7 @@ class Player {
   Result<void> keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene);
   Result<void> name(const Label& given);
   std::vector<Label> shown_labels() const;
-  void save_before(std::size_t end);
+  void report(const Result<void>& saved);
 
   ViewSource source_;
   EventHub& hub_;
@@ -124,7 +124,7 @@ class Player {
   // The state of a body.
   ExplorationPlan plan_;
   double result_pause_ = 0.0;  // s
-  std::size_t exploring_ = 0;  // the thing that is explored
+  ExplorationPlan::Next exploring_;  // what is explored
   bool wants_exploring_ = false;
   std::optional<GrowingExploration> growing_;
   std::optional<BodyStep> coming_;  // the step that the body has taken, until it is shown

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "live/reading_sink.h"
+#include "recording/growing_recording.h"
 #include "somato/bodies/explorer.h"
 #include "somato/bodies/exploring.h"
 #include "somato/bodies/scene.h"
@@ -63,7 +64,8 @@ struct ViewSource {
   PriorExplorations prior_explorations = {};
   bool teaches = true;        ///< Whether the selected system learns the names that are given.
   std::uint64_t seed = 1;     ///< The seed of training.
-  ExplorationSink sink = {};  ///< Takes each exploration of the body, to save it; may be empty.
+  /// Where the explorations of the body are saved, or nullptr; must outlive the session.
+  GrowingRecording* file = nullptr;
   SceneFinder scenes = {};    ///< For recordings; may be empty.
   /// Takes what the first of the systems says, which is then the only one; may be empty.
   live::ReadingSink readings = {};

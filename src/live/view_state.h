@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "live/given_names.h"
+#include "recording/given_names.h"
 #include "live/played_exploration.h"
 #include "live/reading_sink.h"
 #include "live/view_json.h"

@@ -8,6 +8,7 @@
 #include "files/little_endian.h"
 #include "files/text.h"
 #include "recording/mcap_compression.h"
+#include "recording/recording_layout.h"
 
 namespace somato {
 namespace {
@@ -67,7 +68,47 @@ Result<void> McapReader::begin() {
   }
   crc_.add(magic);
   place_ = kMcapMagic.size();
+  return find_notes();
+}
+
+// A record may say something about an exploration that comes before it, so all are read first; the
+// others are passed over. Where a length is damaged, the next chunk continues the search.
+Result<void> McapReader::find_notes() {
+  const std::size_t begin = place_;
+  for (bool more = true; more;) {
+    SOMATO_TRY(const std::string_view head, input_.view(place_, kMcapRecordHead));
+    const auto length =
+        head.size() < kMcapRecordHead ? 0 : little_endian<std::uint64_t>(&head[1]);
+    if (head.size() < kMcapRecordHead || length > size() - place_ - kMcapRecordHead) {
+      SOMATO_TRY(more, find_chunk(place_ + 1));
+      continue;
+    }
+    const std::size_t content = place_ + kMcapRecordHead;
+    const auto opcode = static_cast<McapOpcode>(head.front());
+    if (opcode == McapOpcode::kHeader || opcode == McapOpcode::kMetadata) {
+      SOMATO_TRY(more, take_note(opcode, content, static_cast<std::size_t>(length)));
+    }
+    more = more && opcode != McapOpcode::kDataEnd && opcode != McapOpcode::kFooter;
+    place_ = content + static_cast<std::size_t>(length);
+  }
+  place_ = begin;
   return {};
+}
+
+// Whether other records can be notes, too.
+Result<bool> McapReader::take_note(McapOpcode opcode, std::size_t place, std::size_t length) {
+  if (length > kLongestExplorationText) return true;
+  SOMATO_TRY(const std::string_view content, input_.view(place, length));
+  if (opcode == McapOpcode::kHeader) {
+    const auto header = parse_mcap_header(content);
+    return !header || header->profile == kRecordingProfile;
+  }
+  const auto metadata = parse_mcap_metadata(content);
+  if (!metadata || !notes_.add(*metadata)) return true;
+  noted_ += length;
+  if (noted_ <= kMostBytesAnnounced) return true;
+  return bad_at(place, fmt::format("the labels that were given later exceed {} MiB",
+                                   kMostBytesAnnounced >> 20));
 }
 
 const McapSchema& McapReader::schema_of(std::uint16_t channel) const {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "files/checksum.h"
+#include "recording/exploration_notes.h"
 #include "recording/mcap_input.h"
 #include "recording/mcap_records.h"
 #include "somato/core/result.h"
@@ -29,6 +30,10 @@ class McapReader {
   /// After an error: continues behind the damage, with the rest of the chunk or the next complete
   /// chunk. Returns whether there are more data. Errors: kSystem with the system's reason.
   Result<bool> go_on();
+
+  /// What the metadata records of the whole file say about its explorations; nothing for a file of
+  /// another program.
+  const ExplorationNotes& notes() const { return notes_; }
 
   const McapHeader& header() const { return header_; }
   const std::string& path() const { return input_.path(); }
@@ -62,6 +67,8 @@ class McapReader {
   tl::unexpected<Error> bad_at(std::size_t place, const std::string& what,
                                const std::string& advice = {}) const;
   Result<void> begin();
+  Result<void> find_notes();
+  Result<bool> take_note(McapOpcode opcode, std::size_t place, std::size_t length);
   Result<std::optional<McapMessage>> next_in_chunk();
   Result<std::optional<McapMessage>> next_record();
   Result<std::uint64_t> record_length();
@@ -82,6 +89,7 @@ class McapReader {
 
   McapInput input_;
   McapHeader header_;
+  ExplorationNotes notes_;
   std::size_t place_ = 0;  // The place of the next record outside chunks.
   bool in_chunk_ = false;
   std::string chunk_;
@@ -97,6 +105,7 @@ class McapReader {
   std::map<std::uint16_t, McapSchema> schemas_;
   std::map<std::uint16_t, McapChannel> channels_;
   std::map<std::string, std::uint16_t> latest_;
+  std::size_t noted_ = 0;      // Bytes of notes.
   std::size_t announced_ = 0;  // Bytes of schemas and channels.
   std::map<std::string, std::size_t> compressions_;
 };

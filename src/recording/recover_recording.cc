@@ -103,7 +103,7 @@ class Recovery {
 
   Result<void> write(Meaning meaning, const McapMessage& message) {
     if (meaning == Meaning::kBegin) return begin(message);
-    if (meaning == Meaning::kContinue) return {};
+    if (meaning == Meaning::kContinue || meaning == Meaning::kLeftOut) return {};
     if (meaning == Meaning::kEnd) return end(true);
     McapMessage copy = message;
     SOMATO_TRY(const std::uint16_t id, id_of(message.channel_id));

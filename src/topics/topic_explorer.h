@@ -37,6 +37,8 @@ class TopicExplorer : public Explorer {
   static Result<std::unique_ptr<Explorer>> create(std::vector<ExploredThing> things,
                                                   TopicExploring exploring);
 
+  std::vector<Label> labels(std::size_t thing, std::size_t trial) const override;
+
  protected:
   Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
                                     const ExploreOptions& options) const override;

@@ -59,6 +59,9 @@ class Explorer {
 
   const std::vector<ExploredThing>& things() const { return things_; }
 
+  /// The labels of an exploration of a thing in a trial, both counting from 0.
+  virtual std::vector<Label> labels(std::size_t thing, std::size_t trial) const;
+
   /// Explores a thing (counting from 0), as trial number `trial` (from 0). The result of a
   /// simulated body depends only on these, the placement and its seed. Throws InvalidArgument for
   /// an unknown thing. Errors name the thing: failures of the exploration; those of the observer.
