@@ -216,8 +216,7 @@ Command view_command() {
                   "TOML file with the objects and materials that the body explores, instead of its "
                   "own table, or that were explored in the recording"),
        output_flag("-o,--output",
-                   "With --body or --device: file for a recording of the explorations, saved when "
-                   "the view ends"),
+                   "With --body, --device or --topics: file for a recording of the explorations"),
        input_flag("--model",
                   "Trained system that evaluates the explorations, saved by 'somato run'")},
       {},

@@ -4,17 +4,9 @@
 #include <utility>
 
 #include "bodies/driving.h"
+#include "bodies/frame_log.h"
 
 namespace somato {
-namespace {
-
-// The time of a frame in a step that ends at `end` with frame `last`.
-double time_of(std::size_t frame, std::size_t last, double rate, double end) {
-  return frame == last || rate == 0.0 ? end : end - static_cast<double>(last - frame) / rate;
-}
-
-}  // namespace
-
 // As the exploration will have them: the frames have times, and no rate.
 void ExplorationDraft::begin(const BodyDescription& body, std::vector<Label> labels) {
   is_open_ = false;
@@ -32,8 +24,8 @@ Result<void> ExplorationDraft::open(const BodyState& state) {
   start_.time = state.time;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const std::size_t frames = state.readings[i].rows();
-    if (frames == 0) continue;
-    start_.time = std::min(start_.time, time_of(0, frames - 1, sensors_[i].rate, state.time));
+    if (frames == 0 || sensors_[i].rate == 0.0) continue;
+    start_.time = std::min(start_.time, frame_time(0, frames, sensors_[i].rate, state.time));
   }
   is_open_ = true;
   return to_->begin_draft(start_);
@@ -52,9 +44,10 @@ Result<void> ExplorationDraft::append(std::size_t index, const Matrix<float>& fr
   Sensor& sensor = sensors_[index];
   if (frames.rows() == 0 || frames.columns() == 0) return {};
   if (sensor.elements == 0) sensor.elements = frames.columns();
-  if (sensor.elements != frames.columns()) return {};
+  const bool has_times = frames.rows() == 1 || sensor.rate > 0.0;
+  if (sensor.elements != frames.columns() || !has_times) return {};
   for (std::size_t i = 0; i < frames.rows(); ++i) {
-    const double time = time_of(i, frames.rows() - 1, sensor.rate, end);
+    const double time = frame_time(i, frames.rows(), sensor.rate, end);
     sensor.latest = std::max({sensor.latest, start_.time, time});
     SOMATO_TRY_VOID(to_->draft_frame(index, frames.row(i), sensor.latest));
   }

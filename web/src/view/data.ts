@@ -110,10 +110,20 @@ export interface State {
   training: boolean;
   /** The number of complete rounds of a demonstration, or null. */
   demonstrated: number | null;
+  /** What is on the disk of the explorations of this session; null if they are not saved. */
+  saved: SavedFile | null;
   /** Number of connected viewers. */
   clients: number;
   /** A sentence: the last error. */
   problem: string | null;
+}
+
+/** The recording of a session, which is complete when the session ends. */
+export interface SavedFile {
+  /** Its name. */
+  file: string;
+  /** The number of explorations that are saved. */
+  explorations: number;
 }
 
 /** An exploration of the recording or the body. */
