@@ -63,6 +63,8 @@ Result<std::unique_ptr<GrowingRecording>> GrowingRecording::begin(FileSystem& fi
     recording->direct_.emplace(std::move(direct));
     return recording;
   }
+  // What would prevent the end of the session prevents its beginning.
+  SOMATO_TRY_VOID(Replacement::begin(files, path).map([](const Replacement&) {}));
   SOMATO_TRY(auto file, create_partial_file(files, path, header_size()));
   RecordingFileParameters parameters;
   parameters.flush_after = kFlushAfter;

@@ -65,7 +65,7 @@ TEST_F(KeptExplorationsTest, RefusesOneThatIsUnlikeTheOthers) {
 
 // The numbers of explorations and those in the file are no longer the same then.
 TEST_F(KeptExplorationsTest, GoesOnThoughTheDiskIsFull) {
-  testing::FailingFileSystem files(8, ENOSPC);
+  testing::FailingFileSystem files(12, ENOSPC);
   const auto full = GrowingRecording::begin(files, folder_.file("full.mcap")).value();
   KeptExplorations kept(recording_, full.get());
   ASSERT_TRUE(kept.add(second_, nullptr));
