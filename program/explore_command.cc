@@ -94,9 +94,13 @@ Result<Request> real_request(const Arguments& arguments, const std::string& sour
   SOMATO_TRY(auto longest, arguments.number("longest", 1));
   SOMATO_TRY(auto explorer, make());
   const std::size_t count = explorer->things().size();
-  return Request{
-      nullptr, std::move(explorer),  {count, explorations.value_or(5), 1}, arguments.text("output"),
-      {},      longest.value_or(600), true};
+  return Request{nullptr,
+                 std::move(explorer),
+                 {count, explorations.value_or(5), 1},
+                 arguments.text("output"),
+                 {},
+                 longest.value_or(600),
+                 true};
 }
 
 Result<Request> read_device_request(const Arguments& arguments) {
@@ -203,8 +207,7 @@ ExplorationObserver saving_observer(ExplorationDraft& draft, std::vector<Label> 
             return {};
           },
           [&draft](const ExplorationStep& step) {
-            return step.readings == Readings::kRecorded ? draft.append(step.state)
-                                                        : Result<void>();
+            return step.readings == Readings::kRecorded ? draft.append(step.state) : Result<void>();
           }};
 }
 

@@ -21,8 +21,8 @@ class ExplorationDraft {
   /// An exploration begins; another body may follow within it.
   void begin(const BodyDescription& body, std::vector<Label> labels);
 
-  /// Adds the readings of a step that is recorded. Readings that do not fit the description are left
-  /// out: what explores reports them. Errors: those of GrowingRecording.
+  /// Adds the readings of a step that is recorded. Readings that do not fit the description are
+  /// left out: what explores reports them. Errors: those of GrowingRecording.
   Result<void> append(const BodyState& state);
 
  private:

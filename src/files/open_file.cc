@@ -113,8 +113,7 @@ Outcome<void> OpenFile::close() {
 
 Outcome<void> flush_folder_of(FileSystem& files, const std::string& path) {
   const std::string parent = std::filesystem::path(path).parent_path().string();
-  Outcome<OpenFile> opened =
-      OpenFile::open(files, parent.empty() ? "." : parent, Opening::kFolder);
+  Outcome<OpenFile> opened = OpenFile::open(files, parent.empty() ? "." : parent, Opening::kFolder);
   if (!opened && opened.error() == EACCES) return {};
   if (!opened) return tl::unexpected<int>(opened.error());
   Outcome<void> flushed = opened->flush();

@@ -19,7 +19,8 @@ namespace somato::live {
 /// the labels that viewers gave them. Used by one thread.
 class KeptExplorations {
  public:
-  /// The explorations of the body are saved in `file`, if it is not nullptr. Both must outlive this.
+  /// The explorations of the body are saved in `file`, if it is not nullptr. Both must outlive
+  /// this.
   KeptExplorations(Recording& recording, GrowingRecording* file);
 
   std::size_t count() const { return recording_.explorations.size(); }

@@ -123,7 +123,7 @@ class Player {
 
   // The state of a body.
   ExplorationPlan plan_;
-  double result_pause_ = 0.0;  // s
+  double result_pause_ = 0.0;        // s
   ExplorationPlan::Next exploring_;  // what is explored
   bool wants_exploring_ = false;
   std::optional<GrowingExploration> growing_;

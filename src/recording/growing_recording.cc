@@ -122,8 +122,8 @@ Result<void> GrowingRecording::add(Exploration exploration) {
 Result<void> GrowingRecording::add_valid(Exploration exploration) {
   Recording single;
   single.explorations.push_back(std::move(exploration));
-  const Result<void> added = validate(single).and_then(
-      [&] { return add_to_partial(single.explorations.front()); });
+  const Result<void> added =
+      validate(single).and_then([&] { return add_to_partial(single.explorations.front()); });
   if (!added && added.error().kind == ErrorKind::kData) SOMATO_TRY_VOID(drop_draft());
   return added;
 }
@@ -187,8 +187,8 @@ Result<void> GrowingRecording::check_copy() const {
 // The file remains locked until it has no name.
 Result<void> GrowingRecording::remove_partial() {
   const std::string partial = partial_path(path_);
-  const Outcome<void> removed = files_->remove(partial).and_then(
-      [&] { return flush_folder_of(*files_, partial); });
+  const Outcome<void> removed =
+      files_->remove(partial).and_then([&] { return flush_folder_of(*files_, partial); });
   partial_.reset();
   if (!removed) return system_failure("cannot remove", partial, removed.error());
   return {};
@@ -199,10 +199,10 @@ Result<void> GrowingRecording::with_advice(Result<void> done) const {
   if (done || done.error().kind != ErrorKind::kSystem || added_.empty()) return done;
   Error& error = done.error();
   if (error.advice.ends_with(recover_command(path_))) return done;
-  error.advice += fmt::format("{}{} in {}; afterwards: {}", error.advice.empty() ? "" : "; ",
-                              added_.size() == 1 ? "1 exploration is"
-                                                 : fmt::format("{} explorations are", count()),
-                              partial_path(path_), recover_command(path_));
+  error.advice += fmt::format(
+      "{}{} in {}; afterwards: {}", error.advice.empty() ? "" : "; ",
+      added_.size() == 1 ? "1 exploration is" : fmt::format("{} explorations are", count()),
+      partial_path(path_), recover_command(path_));
   return done;
 }
 

@@ -87,9 +87,9 @@ class GrowingRecording {
   std::string path_;
   std::optional<RecordingFile> direct_;  // A pipe or a device.
   std::optional<RecordingWriter> partial_;
-  std::vector<std::uint64_t> added_;      // Their numbers in the partial file, with drafts.
-  std::optional<std::uint64_t> draft_;    // The number of the draft.
-  std::vector<Label> next_labels_;        // Of the exploration that is added next.
+  std::vector<std::uint64_t> added_;    // Their numbers in the partial file, with drafts.
+  std::optional<std::uint64_t> draft_;  // The number of the draft.
+  std::vector<Label> next_labels_;      // Of the exploration that is added next.
 };
 
 }  // namespace somato

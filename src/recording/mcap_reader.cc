@@ -77,8 +77,7 @@ Result<void> McapReader::find_notes() {
   const std::size_t begin = place_;
   for (bool more = true; more;) {
     SOMATO_TRY(const std::string_view head, input_.view(place_, kMcapRecordHead));
-    const auto length =
-        head.size() < kMcapRecordHead ? 0 : little_endian<std::uint64_t>(&head[1]);
+    const auto length = head.size() < kMcapRecordHead ? 0 : little_endian<std::uint64_t>(&head[1]);
     if (head.size() < kMcapRecordHead || length > size() - place_ - kMcapRecordHead) {
       SOMATO_TRY(more, find_chunk(place_ + 1));
       continue;

@@ -23,10 +23,10 @@ tl::unexpected<Error> used_by_another(const std::string& path) {
 }
 
 tl::unexpected<Error> left_behind(const std::string& path) {
-  return fail(ErrorKind::kUsage, "an earlier session that was not completed is in this file",
-              partial_path(path),
-              fmt::format("recover it: {}; then remove it, or use another name",
-                          recover_command(path)));
+  return fail(
+      ErrorKind::kUsage, "an earlier session that was not completed is in this file",
+      partial_path(path),
+      fmt::format("recover it: {}; then remove it, or use another name", recover_command(path)));
 }
 
 }  // namespace

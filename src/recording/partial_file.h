@@ -17,7 +17,6 @@ std::string recover_command(const std::string& path);
 /// Creates the partial file of `path` and locks it until it is closed. One that an earlier process
 /// left is used again if it has at most `empty` bytes, that is, no data. Errors (kUsage): another
 /// process writes it, or it has data, which are not touched; kSystem with the system's reason.
-Result<OpenFile> create_partial_file(FileSystem& files, const std::string& path,
-                                     std::size_t empty);
+Result<OpenFile> create_partial_file(FileSystem& files, const std::string& path, std::size_t empty);
 
 }  // namespace somato

@@ -155,8 +155,7 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::begin(ExplorationMes
                                                                   Meaning meaning) {
   open_ = false;
   exploration_ = std::move(message);
-  exploration_.labels =
-      file_->notes().labels(exploration_.index, std::move(exploration_.labels));
+  exploration_.labels = file_->notes().labels(exploration_.index, std::move(exploration_.labels));
   gap_ = false;
   SOMATO_TRY_VOID(open_channels());
   open_ = true;

@@ -82,9 +82,7 @@ class RecordingInterpreter {
     std::vector<Source> sources;
   };
 
-  bool is_left_out() const {
-    return !foreign_ && file_->notes().is_left_out(exploration_.index);
-  }
+  bool is_left_out() const { return !foreign_ && file_->notes().is_left_out(exploration_.index); }
   Result<Meaning> interpret_any(const McapMessage& message);
   Result<Stream*> stream_of(std::uint16_t id);
   Result<std::vector<Source>> sources_of(const McapSchema& schema, const McapChannel& channel);

@@ -41,8 +41,8 @@ class ExplorationDraftTest : public ::testing::Test {
     for (int i = 0; i < 6000; ++i) {
       if (!recover_recording(folder_.file("a.partial"), folder_.file("b"))) continue;
       Recording read = read_recording(folder_.file("b")).value();
-      const bool has_all = !read.explorations.empty() &&
-                           read.explorations[0].channels[0].frames.rows() >= frames;
+      const bool has_all =
+          !read.explorations.empty() && read.explorations[0].channels[0].frames.rows() >= frames;
       if (has_all) return std::move(read.explorations[0]);
     }
     ADD_FAILURE() << "nothing was saved";

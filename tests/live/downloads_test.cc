@@ -84,8 +84,8 @@ TEST_F(DownloadsThread, NameWhatABodyExplores) {
   ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
   EXPECT_EQ(state_of(session)["explorations"][0]["labels"]["object"], "apple");
   command(session, R"({"command":"name","label":"object","value":"pear"})");
-  EXPECT_EQ(state_of(session)["saved"], nlohmann::json::parse(
-                                            R"({"file":"session.mcap","explorations":1})"));
+  EXPECT_EQ(state_of(session)["saved"],
+            nlohmann::json::parse(R"({"file":"session.mcap","explorations":1})"));
   session.stop();
   ASSERT_TRUE(file->finish());
   const Recording saved = read_recording(folder.file("session.mcap")).value();

@@ -28,7 +28,9 @@ class GrowingRecordingTest : public ::testing::Test {
   std::string path() const { return folder_.file("hand.mcap"); }
   std::string partial() const { return folder_.file("hand.mcap.partial"); }
 
-  std::unique_ptr<GrowingRecording> begin() const { return GrowingRecording::begin(path()).value(); }
+  std::unique_ptr<GrowingRecording> begin() const {
+    return GrowingRecording::begin(path()).value();
+  }
 
   // What a person gets who recovers the partial file as it is now.
   Recording recovered() const {
@@ -144,7 +146,9 @@ TEST_F(GrowingRecordingTest, LeavesNothingWithoutAnExploration) {
     draft(*file);
     ASSERT_TRUE(file->finish());
   }
-  { const auto file = begin(); }
+  {
+    const auto file = begin();
+  }
   EXPECT_EQ(folder_.count(), 1);
   EXPECT_EQ(bytes_of(path()), "an older one");
 }
@@ -195,8 +199,8 @@ TEST_F(GrowingRecordingTest, IsSynchronizedBeforeTheEndOfAnExplorationIsReported
     draft(*file);
     files.trace.clear();
     ASSERT_TRUE(file->add(one));
-    EXPECT_EQ(files.trace, (std::vector<std::string>{"write hand.mcap.partial",
-                                                     "flush hand.mcap.partial"}));
+    EXPECT_EQ(files.trace,
+              (std::vector<std::string>{"write hand.mcap.partial", "flush hand.mcap.partial"}));
   }
   files.trace.clear();
   ASSERT_TRUE(file->name(0, {"object", "cup"}));
@@ -209,9 +213,9 @@ TEST_F(GrowingRecordingTest, IsRemovedOnlyAfterTheFileWasReadBack) {
   ASSERT_TRUE(file->add(three_.explorations[0]));
   files.trace.clear();
   ASSERT_TRUE(file->finish());
-  const std::vector<std::string> order{"write new",     "flush new",
-                                       "rename hand.mcap",   "flush folder",
-                                       "read hand.mcap", "remove hand.mcap.partial"};
+  const std::vector<std::string> order{"write new",        "flush new",
+                                       "rename hand.mcap", "flush folder",
+                                       "read hand.mcap",   "remove hand.mcap.partial"};
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
     EXPECT_LT(place_of(files.trace, order[i]), place_of(files.trace, order[i + 1])) << order[i];
   }

@@ -32,8 +32,8 @@ TEST(PartialFile, OfAnEarlierProcessIsNotTouched) {
   const auto refused = create(folder.file("hand.mcap"));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::kUsage);
-  const std::string command = "somato recover " + folder.file("hand.mcap.partial") + " -o " +
-                              folder.file("hand.mcap");
+  const std::string command =
+      "somato recover " + folder.file("hand.mcap.partial") + " -o " + folder.file("hand.mcap");
   EXPECT_NE(refused.error().advice.find(command), std::string::npos) << refused.error().advice;
   EXPECT_EQ(bytes_of(folder.file("hand.mcap.partial")), "precious");
 }
