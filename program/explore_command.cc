@@ -199,7 +199,7 @@ Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
       request.output);
 }
 
-// What a real body feels is saved while it explores.
+// The readings of a real body are saved while it explores.
 ExplorationObserver saving_observer(ExplorationDraft& draft, std::vector<Label> labels) {
   return {[&draft, labels = std::move(labels)](const BodyDescription& body,
                                                const Scene&) -> Result<void> {

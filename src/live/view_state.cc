@@ -43,7 +43,7 @@ Json rates_json(const PlayedExploration* played) {
   return rates;
 }
 
-// What is on the disk.
+// The file of the session, as it is on the disk.
 Json saved_json(const GrowingRecording* file) {
   if (file == nullptr) return {};
   const std::string name = std::filesystem::path(file->path()).filename().string();

@@ -63,7 +63,7 @@ Result<std::unique_ptr<GrowingRecording>> GrowingRecording::begin(FileSystem& fi
     recording->direct_.emplace(std::move(direct));
     return recording;
   }
-  // What would prevent the end of the session prevents its beginning.
+  // A session does not begin where its file could not be written at the end.
   SOMATO_TRY_VOID(Replacement::begin(files, path).map([](const Replacement&) {}));
   SOMATO_TRY(auto file, create_partial_file(files, path, header_size()));
   RecordingFileParameters parameters;
@@ -194,7 +194,7 @@ Result<void> GrowingRecording::remove_partial() {
   return {};
 }
 
-// What was added before is not lost.
+// The explorations that were added before are not lost.
 Result<void> GrowingRecording::with_advice(Result<void> done) const {
   if (done || done.error().kind != ErrorKind::kSystem || added_.empty()) return done;
   Error& error = done.error();

@@ -89,7 +89,7 @@ class GrowingRecording {
   std::optional<RecordingWriter> partial_;
   std::vector<std::uint64_t> added_;    // Their numbers in the partial file, with drafts.
   std::optional<std::uint64_t> draft_;  // The number of the draft.
-  std::vector<Label> next_labels_;      // Of the exploration that is added next.
+  std::vector<Label> next_labels_;      // The exploration that is added next has them.
 };
 
 }  // namespace somato

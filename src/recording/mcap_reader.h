@@ -31,8 +31,7 @@ class McapReader {
   /// chunk. Returns whether there are more data. Errors: kSystem with the system's reason.
   Result<bool> go_on();
 
-  /// What the metadata records of the whole file say about its explorations; nothing for a file of
-  /// another program.
+  /// The notes about explorations in the whole file; none in a file of another program.
   const ExplorationNotes& notes() const { return notes_; }
 
   const McapHeader& header() const { return header_; }

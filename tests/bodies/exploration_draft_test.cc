@@ -36,7 +36,7 @@ BodyState state_of(double time, std::vector<float> touch, std::vector<float> sou
 
 class ExplorationDraftTest : public ::testing::Test {
  protected:
-  // What can be recovered, once it has so many frames of touch.
+  // The exploration that can be recovered, once it has so many frames of touch.
   Exploration recovered(std::size_t frames) const {
     for (int i = 0; i < 6000; ++i) {
       if (!recover_recording(folder_.file("a.partial"), folder_.file("b"))) continue;
@@ -77,7 +77,7 @@ TEST_F(ExplorationDraftTest, HasTheChannelsOfTheExploration) {
   }
 }
 
-// What explores reports such readings; the draft goes on.
+// The exploring function reports such readings; the draft continues.
 TEST_F(ExplorationDraftTest, LeavesOutReadingsThatDoNotFit) {
   ExplorationDraft draft(*file_);
   draft.begin(three_sensors(), {});

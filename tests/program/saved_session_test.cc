@@ -1,4 +1,4 @@
-// What is on the disk when a session ends by itself, by a signal, or is killed.
+// The files of a session that ends by a signal, is killed, or fills the disk.
 
 #include "program/program_test.h"
 #include "somato/recording/recording_file.h"

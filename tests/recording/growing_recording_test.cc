@@ -32,7 +32,7 @@ class GrowingRecordingTest : public ::testing::Test {
     return GrowingRecording::begin(path()).value();
   }
 
-  // What a person gets who recovers the partial file as it is now.
+  // The recording that is recovered from the partial file as it is now.
   Recording recovered() const {
     const auto report = recover_recording(partial(), folder_.file("recovered"));
     if (!report) return {};
@@ -222,7 +222,7 @@ TEST_F(GrowingRecordingTest, IsRemovedOnlyAfterTheFileWasReadBack) {
   EXPECT_LT(place_of(files.trace, order.back()), std::ssize(files.trace));
 }
 
-// Whatever fails, such as a full disk: what was reported as added can be read or recovered.
+// An exploration that was reported as added can be read or recovered, also if the disk is full.
 TEST_F(GrowingRecordingTest, LosesNothingThatWasReportedWhenTheDiskIsFull) {
   bool failed = true;
   for (int failing = 0; failed; ++failing) {

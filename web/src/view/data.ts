@@ -110,7 +110,7 @@ export interface State {
   training: boolean;
   /** The number of complete rounds of a demonstration, or null. */
   demonstrated: number | null;
-  /** What is on the disk of the explorations of this session; null if they are not saved. */
+  /** The file of this session; null if its explorations are not saved. */
   saved: SavedFile | null;
   /** Number of connected viewers. */
   clients: number;

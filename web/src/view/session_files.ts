@@ -23,7 +23,7 @@ export function sessionFiles(model: Model): HTMLElement {
   return element("div", { class: "session-files", role: "group", "aria-label": "Save" }, [saved, recording, system]);
 }
 
-/** What is on the disk of the machine of the body, such as "4 explorations saved in hand.mcap". */
+/** The file of the session on the machine of the body, such as "4 explorations saved in hand.mcap". */
 function savedText(saved: State["saved"]): string {
   if (saved === null) return "";
   const explorations = saved.explorations === 1 ? "1 exploration" : `${saved.explorations} explorations`;
