@@ -8,36 +8,16 @@
 #include "files/little_endian.h"
 #include "files/text.h"
 #include "recording/mcap_compression.h"
-#include "recording/recording_layout.h"
+#include "recording/mcap_search.h"
 
 namespace somato {
 namespace {
 
 constexpr std::size_t kMostBytesAnnounced = std::size_t{8} << 20;
 constexpr std::size_t kSmallRecord = std::size_t{1} << 20;
-constexpr std::size_t kSearchedAtOnce = std::size_t{1} << 20;
-// Before the bytes of a chunk come opcode, length, times, sizes, checksum and the compression.
-constexpr std::size_t kLargestChunkHead = kMcapRecordHead + 8 + 8 + 8 + 4 + 4 + 4 + 8;
 
 std::string opcode_text(McapOpcode opcode) {
   return fmt::format("a record of kind 0x{:02X}", static_cast<unsigned>(opcode));
-}
-
-// Whether a chunk begins here, in a file with `left` bytes from here on, whose sizes agree.
-bool is_chunk_head(std::string_view bytes, std::size_t left) {
-  const std::string_view head = bytes.substr(0, kLargestChunkHead);
-  if (head.size() < kMcapRecordHead) return false;
-  const auto length = little_endian<std::uint64_t>(&head[1]);
-  if (length > kLargestMcapChunk + kLargestChunkHead || length > left - kMcapRecordHead) {
-    return false;
-  }
-  const std::optional<McapChunk> chunk = parse_cut_mcap_chunk(head.substr(kMcapRecordHead));
-  if (!chunk || chunk->unpacked_size > kLargestMcapChunk) return false;
-  const std::string_view name = chunk->compression;
-  if (!name.empty() && name != "lz4" && name != "zstd") return false;
-  const std::size_t head_size = head.size() - chunk->packed.size();
-  const auto packed = little_endian<std::uint64_t>(&head[head_size - sizeof(std::uint64_t)]);
-  return packed == length - (head_size - kMcapRecordHead);
 }
 
 }  // namespace
@@ -68,46 +48,8 @@ Result<void> McapReader::begin() {
   }
   crc_.add(magic);
   place_ = kMcapMagic.size();
-  return find_notes();
-}
-
-// A record may say something about an exploration that comes before it, so all are read first; the
-// others are passed over. Where a length is damaged, the next chunk continues the search.
-Result<void> McapReader::find_notes() {
-  const std::size_t begin = place_;
-  for (bool more = true; more;) {
-    SOMATO_TRY(const std::string_view head, input_.view(place_, kMcapRecordHead));
-    const auto length = head.size() < kMcapRecordHead ? 0 : little_endian<std::uint64_t>(&head[1]);
-    if (head.size() < kMcapRecordHead || length > size() - place_ - kMcapRecordHead) {
-      SOMATO_TRY(more, find_chunk(place_ + 1));
-      continue;
-    }
-    const std::size_t content = place_ + kMcapRecordHead;
-    const auto opcode = static_cast<McapOpcode>(head.front());
-    if (opcode == McapOpcode::kHeader || opcode == McapOpcode::kMetadata) {
-      SOMATO_TRY(more, take_note(opcode, content, static_cast<std::size_t>(length)));
-    }
-    more = more && opcode != McapOpcode::kDataEnd && opcode != McapOpcode::kFooter;
-    place_ = content + static_cast<std::size_t>(length);
-  }
-  place_ = begin;
+  SOMATO_TRY(notes_, find_notes(input_));
   return {};
-}
-
-// Whether other records can be notes, too.
-Result<bool> McapReader::take_note(McapOpcode opcode, std::size_t place, std::size_t length) {
-  if (length > kLongestExplorationText) return true;
-  SOMATO_TRY(const std::string_view content, input_.view(place, length));
-  if (opcode == McapOpcode::kHeader) {
-    const auto header = parse_mcap_header(content);
-    return !header || header->profile == kRecordingProfile;
-  }
-  const auto metadata = parse_mcap_metadata(content);
-  if (!metadata || !notes_.add(*metadata)) return true;
-  noted_ += length;
-  if (noted_ <= kMostBytesAnnounced) return true;
-  return bad_at(place, fmt::format("the labels that were given later exceed {} MiB",
-                                   kMostBytesAnnounced >> 20));
 }
 
 const McapSchema& McapReader::schema_of(std::uint16_t channel) const {
@@ -397,20 +339,9 @@ Result<bool> McapReader::open_cut_chunk() {
 }
 
 Result<bool> McapReader::find_chunk(std::size_t from) {
-  for (std::size_t at = from; at < size();) {
-    SOMATO_TRY(const std::string_view bytes, input_.view(at, kSearchedAtOnce));
-    const bool last = at + bytes.size() >= size();
-    if (bytes.size() < kLargestChunkHead && !last) return false;  // It has become shorter.
-    const std::size_t heads = last ? bytes.size() : bytes.size() - kLargestChunkHead;
-    for (std::size_t i = 0; i < heads; ++i) {
-      i = std::min(bytes.find(static_cast<char>(McapOpcode::kChunk), i), heads);
-      if (i == heads || !is_chunk_head(bytes.substr(i), size() - at - i)) continue;
-      place_ = at + i;
-      return true;
-    }
-    at += std::max<std::size_t>(heads, 1);
-  }
-  return false;
+  SOMATO_TRY(const auto found, find_mcap_chunk(input_, from));
+  place_ = found.value_or(place_);
+  return found.has_value();
 }
 
 }  // namespace somato

@@ -66,8 +66,6 @@ class McapReader {
   tl::unexpected<Error> bad_at(std::size_t place, const std::string& what,
                                const std::string& advice = {}) const;
   Result<void> begin();
-  Result<void> find_notes();
-  Result<bool> take_note(McapOpcode opcode, std::size_t place, std::size_t length);
   Result<std::optional<McapMessage>> next_in_chunk();
   Result<std::optional<McapMessage>> next_record();
   Result<std::uint64_t> record_length();
@@ -104,7 +102,6 @@ class McapReader {
   std::map<std::uint16_t, McapSchema> schemas_;
   std::map<std::uint16_t, McapChannel> channels_;
   std::map<std::string, std::uint16_t> latest_;
-  std::size_t noted_ = 0;      // Bytes of notes.
   std::size_t announced_ = 0;  // Bytes of schemas and channels.
   std::map<std::string, std::size_t> compressions_;
 };
