@@ -68,9 +68,12 @@ Result<std::unique_ptr<GrowingRecording>> GrowingRecording::begin(FileSystem& fi
   SOMATO_TRY(auto file, create_partial_file(files, path, header_size()));
   RecordingFileParameters parameters;
   parameters.flush_after = kFlushAfter;
-  SOMATO_TRY(auto writer,
-             RecordingWriter::write_into(std::move(file), partial_path(path), parameters));
-  recording->partial_.emplace(std::move(writer));
+  auto writer = RecordingWriter::write_into(std::move(file), partial_path(path), parameters);
+  if (!writer) {
+    (void)files.remove(partial_path(path));
+    return fail(std::move(writer.error()));
+  }
+  recording->partial_.emplace(std::move(*writer));
   return recording;
 }
 
@@ -184,7 +187,7 @@ Result<void> GrowingRecording::check_copy() const {
               fmt::format("{} of {} explorations can be read back", read.count(), count()), path_);
 }
 
-// The file remains locked until it has no name.
+// Another process does not touch the file until then, because it has data.
 Result<void> GrowingRecording::remove_partial() {
   const std::string partial = partial_path(path_);
   const Outcome<void> removed =
