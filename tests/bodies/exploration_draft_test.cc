@@ -83,7 +83,7 @@ TEST_F(ExplorationDraftTest, LeavesOutReadingsThatDoNotFit) {
   draft.begin(three_sensors(), {});
   ASSERT_TRUE(draft.append(state_of(0.5, {1, 2}, {10, 20})));
   ASSERT_TRUE(draft.append(state_of(0.75, {1, 2, 3}, {})));
-  ASSERT_TRUE(draft.append({1.0, {}}));
+  ASSERT_TRUE(draft.append(BodyState()));
   ASSERT_TRUE(draft.append(state_of(0.25, {3, 4}, {30}))) << "a clock that runs backwards";
   EXPECT_EQ(recovered(2).channels[0].times, (std::vector<double>{0.5, 0.5}));
 }
