@@ -169,9 +169,10 @@ def kill_once(program, folder, command, source, seconds):
     problems = []
     if len(found) < session.shown:
         problems.append(f"{session.shown} explorations were shown, {len(found)} are there")
-    for number, name in session.names.items():
-        if number >= len(found) or found[number].get("material") != name:
-            problems.append(f"exploration {number + 1} was named {name}: {found[number:number + 1]}")
+    lost = [name for number, name in session.names.items()
+            if number >= len(found) or found[number].get("material") != name]
+    if lost:
+        problems.append(f"{len(lost)} of {len(session.names)} names are not there: {lost[0]}")
     return session.shown, len(session.names), problems
 
 
