@@ -2,9 +2,10 @@
 # ROOM_room, so that './dev test ROOM' builds and runs its tests; tests that only './dev test --all'
 # runs have the label 'long' too.
 
-# A room's cases run in this many processes; each writes the durations of its cases to test_cases/.
+# A room's cases run in this many processes; each writes the durations of its cases to test_cases/, and
+# each test its processor time to test_times/, which scripts/budget.py compares with the budget.
 set(SOMATO_TEST_SHARDS 2)
-file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/test_cases)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/test_cases ${PROJECT_BINARY_DIR}/test_times)
 
 function(somato_room room)
   if(NOT TARGET ${room}_room)
@@ -25,7 +26,13 @@ function(somato_test room name)
   if(test_LONG)
     list(APPEND labels long)
   endif()
-  add_test(NAME ${room}.${name} COMMAND ${test_COMMAND})
+  # A target is replaced by its file only as the first word of a command.
+  list(POP_FRONT test_COMMAND program)
+  if(TARGET ${program})
+    set(program $<TARGET_FILE:${program}>)
+  endif()
+  add_test(NAME ${room}.${name} COMMAND ${PROJECT_SOURCE_DIR}/scripts/with_processor_time.sh
+           ${PROJECT_BINARY_DIR}/test_times/${room}.${name} ${program} ${test_COMMAND})
   set_tests_properties(${room}.${name} PROPERTIES TIMEOUT ${test_TIMEOUT} LABELS "${labels}")
   somato_room(${room} ${test_DEPENDS})
 endfunction()

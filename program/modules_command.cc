@@ -34,7 +34,7 @@ std::string text_of(const ModuleType& type) {
   }
   text += fmt::format("  -> {}\n", type.output);
   for (const ParameterInfo& info : type.parameters) {
-    text += fmt::format("  {} = {}  {}. {}\n", info.name, info.default_text, values_of(info),
+    text += fmt::format("  {} = {}  {}. {}\n", info.name, info.default_text, permitted_values(info),
                         info.text);
   }
   return text;
@@ -48,7 +48,7 @@ Table table_of(const ModuleType& type) {
   };
   const auto of_parameter = [](const ParameterInfo& info) {
     return Table{{},
-                 {entry("parameter", info.name), entry("values", values_of(info)),
+                 {entry("parameter", info.name), entry("values", permitted_values(info)),
                   entry("default", info.default_text), entry("text", info.text)}};
   };
   return {{},

@@ -22,7 +22,7 @@ std::string markdown_cell(const std::string& text) {
   return out;
 }
 
-std::string values_of(const ParameterInfo& info) {
+std::string permitted_values(const ParameterInfo& info) {
   std::string values = info.choices.empty()
                            ? info.type
                            : fmt::format("{}{}", info.type.starts_with("list") ? "list of " : "",
@@ -37,7 +37,7 @@ std::string parameter_table(const std::vector<ParameterInfo>& parameters) {
   std::string page = "| key | values | default | meaning |\n|---|---|---|---|\n";
   for (const ParameterInfo& info : parameters) {
     fmt::format_to(std::back_inserter(page), "| `{}` | {} | `{}` | {} |\n", info.name,
-                   markdown_cell(values_of(info)), info.default_text, markdown_cell(info.text));
+                   markdown_cell(permitted_values(info)), info.default_text, markdown_cell(info.text));
   }
   return page;
 }

@@ -11,7 +11,7 @@ namespace somato::program {
 std::string markdown_cell(const std::string& text);
 
 /// The values of a parameter: type or choices, range and unit.
-std::string values_of(const ParameterInfo& info);
+std::string permitted_values(const ParameterInfo& info);
 
 /// Parameters as a table in Markdown: key, values, default, meaning.
 std::string parameter_table(const std::vector<ParameterInfo>& parameters);

@@ -14,17 +14,35 @@ case ${1:-} in
 esac
 
 failed=()
+names=()
+processes=()
+printed=$(mktemp -d)
+trap 'rm -rf "$printed"' EXIT
 
-# check NAME COMMAND...
+# check NAME COMMAND...: starts the check beside the others.
 check() {
-  local name=$1
+  local number=${#names[@]}
+  names+=("$1")
   shift
-  if "$@"; then
-    echo "ok: $name"
-  else
-    echo "FAILED: $name" >&2
-    failed+=("$name")
-  fi
+  "$@" >"$printed/$number" 2>&1 &
+  processes+=($!)
+}
+
+# Waits for the checks that were started, and prints what each of them has printed.
+finish_checks() {
+  local number
+  for number in "${!names[@]}"; do
+    if wait "${processes[number]}"; then
+      cat "$printed/$number"
+      echo "ok: ${names[number]}"
+    else
+      cat "$printed/$number" >&2
+      echo "FAILED: ${names[number]}" >&2
+      failed+=("${names[number]}")
+    fi
+  done
+  names=()
+  processes=()
 }
 
 listed() {
@@ -38,7 +56,7 @@ check_shell() {
 }
 
 check_format() {
-  listed '*.h' '*.cc' | xargs -r clang-format-19 "${format[@]}"
+  listed '*.h' '*.cc' | xargs -r -P "$(nproc)" -n 50 clang-format-19 "${format[@]}"
 }
 
 scripts/setup.sh build test
@@ -49,7 +67,10 @@ check 'mirrored tests' python3 scripts/check_mirrors.py
 check 'house rules' python3 scripts/check_text.py
 check 'types of the pages' python3 scripts/page_types.py --check
 check 'shell scripts' check_shell
+finish_checks
+# It uses all cores itself, and with --fix it changes files, as clang-format does.
 check 'clang-tidy of changed files' python3 scripts/run_clang_tidy.py --changed "${fix[@]}"
+finish_checks
 
 if [[ ${#failed[@]} -gt 0 ]]; then
   printf 'lint: failed: %s\n' "${failed[*]}" >&2

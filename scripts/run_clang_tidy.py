@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over the library, the program and the fuzzers, in parallel.
 
-A file that passed is not checked again until it, a project header that it includes, its compile
-command or the rules change. Sources that are compiled together are checked together, because reading
+A file that passed, in this checkout or another one of the user, is not checked again until it, a project
+header that it includes, its compile command, the rules or the version of clang-tidy change. Sources that are compiled together are checked together, because reading
 headers takes most of the time. --changed: only files that differ from the parent branch, and for a header
 the first source that includes it. Each of them is read separately and without precompiled headers, so
 that a missing include and an unused using declaration are reported.
@@ -11,7 +11,6 @@ usage: run_clang_tidy.py [--fix] [--changed]
 """
 
 import argparse
-import hashlib
 import os
 import subprocess
 import sys
@@ -19,12 +18,14 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import compile_commands
-from check_includes import includes
+import passed_marks
+from changed_files import changed_files, included_by
 
 TREE = Path(__file__).resolve().parent.parent
 SEPARATE = TREE / "build/lint"
 # The static analyzer walks included sources only if the path of the including file contains this name.
 TOGETHER = SEPARATE / "UnifiedSource"
+REUSED = "reused_marks"  # number of marks that the last run has used
 CHECKED = ("src", "program", "fuzz")
 TIDY = str(TREE / "build/clang-tidy/bin/clang-tidy")
 
@@ -37,19 +38,6 @@ def entries(build):
                    cwd=TREE, stdout=subprocess.DEVNULL, check=True)
     return {compiled: command for source, (command, compiled) in compile_commands.by_file(build).items()
             if source.is_relative_to(TREE) and source.relative_to(TREE).parts[0] in CHECKED}
-
-
-def git(*words):
-    return subprocess.run(["git", *words], cwd=TREE, capture_output=True, text=True).stdout
-
-
-def changed_files():
-    """Files that differ from the merge base with the parent branch, including new files."""
-    origin = next((name for name in ("origin/HEAD", "origin/main")
-                   if git("rev-parse", "--verify", "--quiet", name)), "HEAD")
-    base = git("merge-base", "HEAD", origin).strip() or "HEAD"
-    names = git("diff", "--name-only", base) + git("ls-files", "--others", "--exclude-standard")
-    return {TREE / name for name in names.split()}
 
 
 def only_changed(files):
@@ -73,37 +61,36 @@ def reached(path, known):
     if path in known:
         return
     known.add(path)
-    for _, bracket, header in includes(path):
-        for base in (TREE / "include", TREE / "src", path.parent):
-            if bracket == '"' and (base / header).is_file():
-                reached((base / header).resolve(), known)
+    for header in included_by(path):
+        reached(header, known)
 
 
-def key_of(file, command):
+def key_of(file, command, options):
     known = set()
     reached(file, known)
-    digest = hashlib.sha256(command.encode())
-    for path in [TREE / ".clang-tidy", *sorted(known)]:
-        digest.update(path.read_bytes())
-    return digest.hexdigest()
+    rules = [TREE / ".clang-tidy", TREE / "scripts/clang_tidy.txt"]  # the version is in the second
+    return passed_marks.key_of(TREE, [command, *options], [*rules, *sorted(known)])
+
+
+def options_for(build):
+    return ["--checks=-bugprone-suspicious-include"] if build == TOGETHER else []
 
 
 def check(build, file, command, fix):
-    """Whether `file` passes."""
-    stamp = build / "passed" / ("_".join(file.relative_to(TREE).parts) + ".ok")
-    key = key_of(file, command)
-    if stamp.is_file() and stamp.read_text(encoding="utf-8") == key:
-        return True
-    options = ["--fix", "--fix-errors"] if fix else []
-    if build == TOGETHER:
-        options.append("--checks=-bugprone-suspicious-include")
-    done = subprocess.run([TIDY, "-p", str(build), "--quiet", *options, str(file)],
+    """Returns whether `file` passes, and whether a mark says so."""
+    options = options_for(build)
+    key = key_of(file, command, options)
+    if passed_marks.has(key):
+        return True, True
+    fixes = ["--fix", "--fix-errors"] if fix else []
+    done = subprocess.run([TIDY, "-p", str(build), "--quiet", *options, *fixes, str(file)],
                           capture_output=True, text=True)
     if done.returncode != 0:
         print(done.stdout, done.stderr, sep="", end="", file=sys.stderr)
-        return False
-    stamp.write_text(key, encoding="utf-8")
-    return True
+        return False, False
+    if not fix:  # a fix has changed the file whose key this is
+        passed_marks.add(key)
+    return True, False
 
 
 def main():
@@ -114,11 +101,14 @@ def main():
     fix = given.fix
     build = SEPARATE if given.changed else TOGETHER
     files = only_changed(entries(build)) if given.changed else entries(build)
-    (build / "passed").mkdir(exist_ok=True)
+    passed_marks.prune()
     # Two at once would write the same header's fixes twice.
     with ThreadPoolExecutor(1 if fix else os.cpu_count()) as pool:
-        passed = list(pool.map(lambda item: check(build, *item, fix), sorted(files.items())))
-    return 0 if all(passed) else 1
+        results = list(pool.map(lambda item: check(build, *item, fix), sorted(files.items())))
+    marked = sum(by_mark for _, by_mark in results)
+    print(f"{len(files)} files, {marked} of which have passed before")
+    (SEPARATE / REUSED).write_text(str(marked), encoding="utf-8")
+    return 0 if all(passed for passed, _ in results) else 1
 
 
 if __name__ == "__main__":

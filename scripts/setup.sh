@@ -62,9 +62,18 @@ install_missing() {
 }
 
 install_missing
+# Both are fetched at once: each waits for the network.
+fetching=()
 if [[ " $* " == *" build "* || $# == 0 ]]; then
-  ./fetch_mujoco.sh
+  ./fetch_mujoco.sh &
+  fetching+=($!)
 fi
 if [[ " $* " == *" test "* || $# == 0 ]]; then
-  ./fetch_clang_tidy.sh
+  ./fetch_clang_tidy.sh &
+  fetching+=($!)
 fi
+status=0
+for process in "${fetching[@]}"; do
+  wait "$process" || status=1
+done
+exit "$status"

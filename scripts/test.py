@@ -4,8 +4,13 @@
 usage: ./dev test              the stages required for every change
        ./dev test --all        all stages; a stage that has passed for the same tree is not repeated
        ./dev test ROOM...      the tests of these rooms only
+       ./dev test --changed    the checks, and the tests that the changes since the parent branch can reach
        ./dev test --failed     the tests that failed when tests were last run
        ./dev test --rooms      the rooms that have tests
+       ./dev test --budget     like ./dev test; fails if a stage or a test takes 30 % more processor time than in
+                               scripts/budget.txt
+       ./dev test --update-budget
+                               writes the figures of the last runs to scripts/budget.txt
        ./dev test --table      the stages with the seconds of their last runs, as docs/testing.md shows
 """
 
@@ -13,12 +18,17 @@ import argparse
 import difflib
 import hashlib
 import os
+import resource
 import subprocess
 import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
 
+import budget
+import changed_run
+import changed_tests
+import fixed_job
 import stage_table
 import test_cases
 
@@ -114,39 +124,109 @@ def has_passed(stage, tree):
     return mark.is_file() and mark.read_text(encoding="utf-8") == tree
 
 
+def children_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def cache_hits():
+    """Results that ccache has found so far; 0 without ccache."""
+    try:
+        printed = subprocess.run(["ccache", "--print-stats"], capture_output=True, text=True).stdout
+    except FileNotFoundError:
+        return 0
+    return sum(int(count) for name, count in (line.split("\t") for line in printed.splitlines() if "\t" in line)
+               if name in ("direct_cache_hit", "preprocessed_cache_hit"))
+
+
+class Reuse:
+    """Counts results of earlier runs that a stage reuses: with them it takes less than its budget."""
+
+    def __init__(self, stage):
+        self.hits = cache_hits()
+        self.marks = TREE / "build/lint/reused_marks"
+        self.marks.unlink(missing_ok=True)
+        built = TREE / "build" / stage.preset / "build.ninja"
+        self.built = int(stage.name.endswith("build") and built.is_file())
+
+    def count(self):
+        marks = int(self.marks.read_text(encoding="utf-8")) if self.marks.is_file() else 0
+        return self.built + marks + cache_hits() - self.hits
+
+
+# The set-up depends on what the machine lacks, and the checks on how many files a branch has changed.
+WITHOUT_BUDGET = ("set-up", "checks")
+
+
+def entries_of(stage, seconds):
+    """Processor seconds by entry of the budget."""
+    if stage.name in WITHOUT_BUDGET:
+        return {}
+    of_tests = stage.name.endswith("tests")
+    folder = TREE / "build" / stage.preset / test_cases.TIMES
+    return {stage.name: seconds, **(budget.seconds_of_tests(folder, stage.preset) if of_tests else {})}
+
+
 def run_stage(stage, tree):
+    """Returns whether the stage passes, its line of the summary and its processor seconds by entry."""
     print(f"\n== {stage.name}", flush=True)
     mark_of(stage).unlink(missing_ok=True)
-    started = time.monotonic()
+    started, used = time.monotonic(), children_seconds()
     passed = stage.run()
-    seconds = time.monotonic() - started
+    seconds, used = time.monotonic() - started, children_seconds() - used
     if passed:
         mark_of(stage).parent.mkdir(parents=True, exist_ok=True)
         mark_of(stage).write_text(tree, encoding="utf-8")
         stage_table.note(stage.name, seconds)
-    return passed, f"{'ok    ' if passed else 'FAILED'} {seconds:6.0f} s  {stage.name}"
+    line = f"{'ok    ' if passed else 'FAILED'} {seconds:6.0f} s {used:6.0f} s of processors  {stage.name}"
+    return passed, line, entries_of(stage, used)
 
 
-def run_stages(thorough):
-    """Runs the stages in order up to the first failure; returns whether all pass."""
-    tree = tree_hash()
-    summary = []
+def measured(stage, tree, unit_before):
+    """Runs a stage between two fixed jobs. Returns whether it passes, its line, figures and the second unit."""
+    reuse = Reuse(stage)
+    passed, line, seconds = run_stage(stage, tree)
+    reused = reuse.count()
+    unit = fixed_job.measure()
+    figures = budget.Figures(seconds, (unit_before + unit) / 2, reused)
+    if passed:
+        budget.note(stage.name, figures)
+    return passed, line, figures, unit
+
+
+def run_stages(thorough, guarded=False):
+    """Runs the stages in order up to the first failure; returns whether all pass, and keep to the budget if
+    `guarded`."""
+    tree, units = tree_hash(), budget.read()
+    summary, runs = [], []
     passed = True
+    unit = fixed_job.measure()
     for stage in STAGES:
         if stage.thorough and not thorough:
             continue
         if thorough and has_passed(stage, tree):
             summary.append(f"ok    earlier   {stage.name} (passed on the same tree)")
             continue
-        passed, line = run_stage(stage, tree)
+        passed, line, figures, unit = measured(stage, tree, unit)
         summary.append(line)
+        runs.append(figures)
         if not passed:
             break
     print("\n" + "\n".join(summary))
+    within = budget.report(runs, units)
     if passed and not thorough:
         left_out = ", ".join(stage.name for stage in STAGES if stage.thorough)
         print(f"Not run without --all: {left_out}")
-    return passed
+    if guarded and not within:
+        print("FAILED    the budget: make it faster, or raise the lines with ./dev test --update-budget")
+    return passed and (within or not guarded)
+
+
+def report_tests():
+    """Compares the tests that ran last in the build folder `dev` with the budget, which decides nothing here."""
+    seconds = budget.seconds_of_tests(DEV / test_cases.TIMES, "dev")
+    print(f"{sum(seconds.values()):.0f} s of processors for these tests")
+    budget.report([budget.Figures(seconds, fixed_job.measure())], budget.read())
 
 
 def rooms():
@@ -177,6 +257,7 @@ def run_rooms(wanted, thorough):
         return False
     selection = ["-L", f"^({'|'.join(wanted)})$"] + ([] if thorough else ["-LE", "^long$"])
     passed = test_cases.run(DEV, selection)
+    report_tests()
     others = ", ".join(room for room in rooms() if room not in wanted)
     print(f"Not run: the tests of {others}; {'' if thorough else 'long tests; '}"
           "all checks; sanitizers; the second compiler")
@@ -187,15 +268,30 @@ def run_failed():
     if not configure() or not passes("cmake", "--build", str(DEV)):
         return False
     passed = test_cases.run_failed(DEV)
+    report_tests()
     print("Not run: tests that passed before; all checks; sanitizers; the second compiler")
     return passed
 
 
+def run_changed():
+    names = changed_run.changed_names()
+    chosen = changed_tests.select(TREE, names)
+    if chosen.unbounded:
+        print(f"{', '.join(chosen.unbounded)} can reach every test: the whole ./dev test runs")
+        return run_stages(thorough=False)
+    print(f"{len(names)} files differ from the parent branch")
+    if not passes("scripts/lint.sh") or not configure():
+        return False
+    passed = changed_run.run(chosen)
+    report_tests()
+    return passed
+
+
 def parse_arguments():
-    parser = argparse.ArgumentParser(prog="./dev test", usage=__doc__.split("usage: ")[1])
+    parser = argparse.ArgumentParser(prog="./dev test", usage=__doc__.split("usage: ")[1].replace("%", "%%"))
     parser.add_argument("rooms", nargs="*", metavar="ROOM")
     only = parser.add_mutually_exclusive_group()
-    for flag in ("all", "failed", "rooms", "table"):
+    for flag in ("all", "changed", "failed", "rooms", "table", "budget", "update-budget"):
         only.add_argument(f"--{flag}", action="store_const", const=flag, dest="only")
     given = parser.parse_args()
     if given.rooms and given.only not in (None, "all"):
@@ -215,14 +311,19 @@ def main():
     if given.only == "table":
         print(stage_table.table(STAGES))
         return True
+    if given.only == "update-budget":
+        return budget.update()
     if given.only == "rooms":
         return print_rooms()
     if given.only == "failed":
         return run_failed()
     if given.rooms:
         return run_rooms(given.rooms, given.only == "all")
-    return run_stages(given.only == "all")
+    return run_stages(given.only == "all", given.only == "budget")
 
 
 if __name__ == "__main__":
-    sys.exit(0 if main() else 1)
+    try:
+        sys.exit(0 if main() else 1)
+    except budget.BudgetError as error:
+        sys.exit(f"./dev test: {error}")

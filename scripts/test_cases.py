@@ -8,6 +8,7 @@ import xml.etree.ElementTree as ElementTree
 
 JUNIT = "tests.xml"
 FAILED = "failed_tests.json"  # what run_failed() runs: names of tests, and cases by room
+TIMES = "test_times"  # folder with the processor times of the tests that ran
 SLOWEST = 10
 
 
@@ -25,7 +26,7 @@ def run_ctest(build, selection, environment):
     """Returns the tests that ran as (name, seconds, failed)."""
     junit = build / JUNIT
     junit.unlink(missing_ok=True)
-    for report in (build / "test_cases").glob("*.json"):
+    for report in [*(build / "test_cases").glob("*.json"), *(build / TIMES).glob("*")]:
         report.unlink()
     subprocess.run(["ctest", "--test-dir", str(build), "-j", str(os.cpu_count()),
                     "--output-on-failure", "--no-tests=error", "--output-junit", str(junit),

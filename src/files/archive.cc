@@ -25,7 +25,7 @@ constexpr std::string_view kMagic(
 constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kHeaderSize = 32;
 constexpr std::size_t kChecksumSize = 4;
-constexpr std::size_t kAlignment = 8;
+constexpr std::size_t kEntryAlignment = 8;
 constexpr std::size_t kMostEntries = 1000;  // Keeps the memory for names and shapes small.
 constexpr std::size_t kMostDimensions = 8;
 
@@ -39,7 +39,7 @@ constexpr Type type_of() {
 }
 
 std::size_t padding_after(std::size_t size) {
-  return (kAlignment - size % kAlignment) % kAlignment;
+  return (kEntryAlignment - size % kEntryAlignment) % kEntryAlignment;
 }
 
 // The number of values of a shape, or nothing when it is out of range.

@@ -17,7 +17,7 @@ namespace somato {
 namespace {
 
 constexpr std::uint64_t kIterationsBetweenReports = 64;
-constexpr std::uint64_t kMoments = 100;
+constexpr std::uint64_t kMomentsOfGrowth = 100;
 
 }  // namespace
 
@@ -57,8 +57,8 @@ Result<void> grow(GrowingMap& map, const GrowthParameters& parameters, const Sam
     write_dense(samples[draws.next()], input);
     map.learn(input);
     const bool is_last = t == total || map.is_complete();
-    const bool is_moment = is_last || t * kMoments / total > moment;
-    moment = t * kMoments / total;
+    const bool is_moment = is_last || t * kMomentsOfGrowth / total > moment;
+    moment = t * kMomentsOfGrowth / total;
     if (stop.after(is_last ? total : t) ||
         (observer && is_moment &&
          !observer({is_last ? total : t, total, 0.0, 0.0, map.neurons() * samples.size(),

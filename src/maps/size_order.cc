@@ -14,9 +14,9 @@
 namespace somato {
 namespace {
 
-using Numbers = std::vector<double>;
+using Sizes = std::vector<double>;
 
-constexpr double kRounding = 1e-12;  // what counts as equal correlations after rounding
+constexpr double kEqualCorrelations = 1e-12;  // what counts as equal correlations after rounding
 
 constexpr std::size_t kFewestInOrder = 3;  // Two numbers are always in order.
 
@@ -39,7 +39,7 @@ std::vector<Position> from_their_centre(const std::vector<MappedIndividual>& ind
 // Some of the individuals: their ring, and the ranks of their numbers.
 struct Ranked {
   Ring ring;
-  Numbers ranks;
+  Sizes ranks;
 };
 
 double best_of_both(const RingOrder& order) {
@@ -79,9 +79,9 @@ void require_finite(const std::vector<MappedIndividual>& individuals) {
 Rankings rankings_of(const std::vector<MappedIndividual>& individuals) {
   require_finite(individuals);
   const std::vector<Position> places = from_their_centre(individuals);
-  Numbers all;
+  Sizes all;
   all.reserve(individuals.size());
-  std::map<std::size_t, std::pair<std::vector<Position>, Numbers>> members;
+  std::map<std::size_t, std::pair<std::vector<Position>, Sizes>> members;
   for (std::size_t i = 0; i < individuals.size(); ++i) {
     all.push_back(individuals[i].number);
     auto& [group_places, group_numbers] = members[individuals[i].group];
@@ -155,8 +155,8 @@ CircularOrderByChance circular_order_chance(const std::vector<MappedIndividual>&
     of_each.push_back(order);
     sum.around += order.around;
     sum.within += order.within;
-    as_high.around += order.around >= right.around - kRounding ? 1.0 : 0.0;
-    as_high.within += order.within >= right.within - kRounding ? 1.0 : 0.0;
+    as_high.around += order.around >= right.around - kEqualCorrelations ? 1.0 : 0.0;
+    as_high.within += order.within >= right.within - kEqualCorrelations ? 1.0 : 0.0;
   }
   const double many = std::max(static_cast<double>(shuffles), 1.0);
   const double all = static_cast<double>(shuffles) + 1.0;

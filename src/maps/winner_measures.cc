@@ -41,14 +41,14 @@ std::vector<bool> shares_with_another(const std::vector<std::size_t>& winners,
 std::map<std::size_t, std::size_t> votes_around(const Grid& grid, std::size_t sample,
                                                 const std::vector<std::size_t>& winners,
                                                 const std::vector<std::size_t>& classes) {
-  constexpr double kTolerance = 1e-9;  // equal distances on a hexagonal grid differ by rounding
+  constexpr double kEqualDistances = 1e-9;  // equal distances on a hexagonal grid differ by rounding
   std::vector<double> distances;
   distances.reserve(winners.size());
   for (const std::size_t winner : winners) {
     distances.push_back(grid.squared_distance(winners[sample], winner));
   }
   distances[sample] = std::numeric_limits<double>::infinity();
-  const double nearest = *std::min_element(distances.begin(), distances.end()) + kTolerance;
+  const double nearest = *std::min_element(distances.begin(), distances.end()) + kEqualDistances;
   std::map<std::size_t, std::size_t> votes;
   for (std::size_t i = 0; i < winners.size(); ++i) {
     if (distances[i] <= nearest) ++votes[classes[i]];

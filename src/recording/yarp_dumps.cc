@@ -52,7 +52,7 @@ Result<DumpInfo> read_info(const std::filesystem::path& folder) {
   return info;
 }
 
-std::optional<double> finite_number(std::string_view text) {
+std::optional<double> number_of_dump(std::string_view text) {
   double number = 0.0;
   const char* end = text.data() + text.size();
   const auto [stop, status] = std::from_chars(text.data(), end, number);
@@ -104,7 +104,7 @@ class DumpReader {
     if (words.size() <= before_values_) {
       return bad(fmt::format("the line has {} words, and none for values", words.size()));
     }
-    const std::optional<double> time = finite_number(words[1]);
+    const std::optional<double> time = number_of_dump(words[1]);
     if (!time) return bad(fmt::format("{} is not a time stamp", shown(words[1])));
     if (!times_.empty() && *time < times_.back()) {
       return bad("the time stamp precedes that of the preceding line");
@@ -115,7 +115,7 @@ class DumpReader {
     }
     elements_ = elements;
     for (std::size_t i = before_values_; i < words.size(); ++i) {
-      const std::optional<double> value = finite_number(words[i]);
+      const std::optional<double> value = number_of_dump(words[i]);
       is_text_ = !value && times_.empty();
       if (is_text_) return {};
       if (!value || std::fabs(*value) > std::numeric_limits<float>::max()) {

@@ -144,7 +144,7 @@ SweepJson sweep_claim_json(const SweepResults& results, std::size_t number) {
   return json;
 }
 
-SweepJson outcome_json(const ClaimOutcome& outcome) {
+SweepJson point_outcome_json(const ClaimOutcome& outcome) {
   const auto& chance = outcome.chance_share;
   return {{"share", outcome.share()},
           {"chance_share", chance ? SweepJson(*chance) : SweepJson(nullptr)},
@@ -159,7 +159,7 @@ SweepJson point_json(const SweepDescription& sweep, const SweepPointResults& poi
   }
   SweepJson claims = SweepJson::array();
   for (const auto& outcome : point.claims) {
-    claims.push_back(outcome ? outcome_json(*outcome) : SweepJson(nullptr));
+    claims.push_back(outcome ? point_outcome_json(*outcome) : SweepJson(nullptr));
   }
   return {{"values", std::move(values)},
           {"recordings", point.recordings},
@@ -177,7 +177,7 @@ SweepPointResults judge_point(const SystemSweep& sweep, const SweepPoint& point,
     }
   }
   for (const Claim& claim : sweep.claims) {
-    std::vector<ClaimOutcome> outcome = judge({claim}, parts);
+    std::vector<ClaimOutcome> outcome = judge(std::vector<Claim>{claim}, parts);
     results.claims.emplace_back();
     if (outcome.empty() || !outcome.front().undecidable.empty()) continue;
     results.claims.back() = std::move(outcome.front());

@@ -8,7 +8,7 @@
 namespace somato {
 namespace {
 
-double share(std::size_t part, std::size_t whole) {
+double share_of_explorations(std::size_t part, std::size_t whole) {
   require(whole > 0, "a share of explorations needs at least one");
   return static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -28,7 +28,7 @@ class TeachingMetrics {
     for (std::size_t stage = 1; stage < stages(); ++stage) add_taught(stage);
     for (std::size_t stage = 0; stage < stages(); ++stage) add_known(stage);
     add("names_refused",
-        [](const TeachingOutcome& seed) { return share(seed.refused, seed.names); });
+        [](const TeachingOutcome& seed) { return share_of_explorations(seed.refused, seed.names); });
     return std::move(metrics_);
   }
 
@@ -46,7 +46,7 @@ class TeachingMetrics {
   void add_taught(std::size_t stage) {
     const auto add_count = [&](const std::string& name, std::size_t RightNames::* count) {
       add(name + "_after_" + std::to_string(stage), [&](const TeachingOutcome& seed) {
-        return share(seed.stages[stage].taught.*count, seed.taught_tested);
+        return share_of_explorations(seed.stages[stage].taught.*count, seed.taught_tested);
       });
     };
     add_count("taught_accuracy", &RightNames::answered);
@@ -58,7 +58,7 @@ class TeachingMetrics {
     const std::string after = "_after_" + std::to_string(stage);
     const auto add_count = [&](const std::string& name, std::size_t RightNames::* count) {
       add(name + after, [&](const TeachingOutcome& seed) {
-        return share(seed.stages[stage].known.*count, seed.known_tested);
+        return share_of_explorations(seed.stages[stage].known.*count, seed.known_tested);
       });
     };
     add_count("known_accuracy", &RightNames::answered);
@@ -66,7 +66,7 @@ class TeachingMetrics {
     add_count("baseline_known_accuracy", &RightNames::baseline);
     if (stage == 0) return;
     add("known_changed" + after, [&](const TeachingOutcome& seed) {
-      return share(seed.stages[stage].known_changed, seed.known_tested);
+      return share_of_explorations(seed.stages[stage].known_changed, seed.known_tested);
     });
   }
 

@@ -5,13 +5,14 @@
 #include <sstream>
 
 #include "support/object_tables.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace somato {
 namespace {
 
 std::string page() {
-  return bytes_of(std::string(SOMATO_SOURCE_DIR) + "/docs/objects.md");
+  return bytes_of(source_path("docs/objects.md"));
 }
 
 // The text between the fences of each TOML block.

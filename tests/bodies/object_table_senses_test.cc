@@ -6,6 +6,7 @@
 
 #include "core/contains.h"
 #include "support/object_tables.h"
+#include "support/places.h"
 
 namespace somato {
 namespace {
@@ -93,7 +94,7 @@ TEST(OwnObjectTables, AreListedAndRead) {
 
 TEST(OwnObjectTables, AreFoundByNameAndFilesByPath) {
   const auto own = find_object_table("lucs3_new", declared());
-  const auto file = find_object_table(SOMATO_SOURCE_DIR "/objects/lucs3_new.toml", declared());
+  const auto file = find_object_table(source_path("objects/lucs3_new.toml"), declared());
   ASSERT_TRUE(own);
   ASSERT_TRUE(file);
   ASSERT_EQ(own->objects.size(), file->objects.size());

@@ -11,6 +11,7 @@
 #include "somato/core/random.h"
 #include "somato/files/npy.h"
 #include "support/failing_file_system.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace somato {
@@ -201,7 +202,7 @@ TEST(NumberSource, KnowsHowMuchMemoryItsRowsTakeAtMost) {
 TEST(NumberSource, ReadsAndRefusesWhatReadingAllAtOnceDoes) {
   const TemporaryFolder folder;
   for (const char* kind : {"npy", "csv"}) {
-    const std::string corpus = SOMATO_SOURCE_DIR "/fuzz/corpus/" + std::string(kind);
+    const std::string corpus = source_path("fuzz/corpus/" + std::string(kind));
     for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
       const std::string bytes = bytes_of(entry.path().string());
       for (std::size_t length = 0; length <= bytes.size(); length += 1 + length / 40) {

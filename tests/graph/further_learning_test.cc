@@ -24,7 +24,7 @@ using testing::module;
 using testing::trained;
 using testing::with_part;
 using testing::without_part;
-using Numbers = std::vector<std::size_t>;
+using StoredNumbers = std::vector<std::size_t>;
 
 using testing::bytes_of_saved;
 using testing::kKinds;
@@ -41,7 +41,7 @@ TEST(FurtherLearning, IsTheSameAfterTheModelWasSaved) {
     SystemModel kept = model_of_first(kind);
     SystemModel loaded = saved_and_loaded(kept);
     for (const std::size_t object : {1U, 2U}) {
-      const Numbers explorations = range(6 * object, 6 * object + 6);
+      const StoredNumbers explorations = range(6 * object, 6 * object + 6);
       ASSERT_TRUE(learn_further(kept, all, explorations, {object + 5})) << kind;
       ASSERT_TRUE(learn_further(loaded, all, explorations, {object + 5})) << kind;
       EXPECT_EQ(bytes_of_saved(loaded), bytes_of_saved(kept)) << kind;
@@ -90,7 +90,7 @@ TEST(FurtherLearning, OriginsAreTheNumbersOfTheSameNeurons) {
     const auto origins = learn_further(model.system, 2, Samples(inputs), {9});
     ASSERT_TRUE(origins) << kind;
     ASSERT_EQ(origins->size(), som_of(model.system, 2)->neurons()) << kind;
-    Numbers known;
+    StoredNumbers known;
     for (const auto& origin : *origins) {
       if (origin) known.push_back(*origin);
     }
@@ -121,7 +121,7 @@ TEST(FurtherLearning, LeavesTheModelAsItIsWhenItFails) {
   SystemModel unnamed{build(system_text("som"), all), {}};
   EXPECT_THROW((void)learn_further(unnamed, all, range(0, 6), {}), InvalidArgument);
   SystemModel model = model_of_first("som");
-  EXPECT_THROW((void)learn_further(model, all, Numbers{1, 2, 1}, {}), InvalidArgument);
+  EXPECT_THROW((void)learn_further(model, all, StoredNumbers{1, 2, 1}, {}), InvalidArgument);
 }
 
 // A file of an earlier version has no votes: each name counts once.

@@ -60,7 +60,7 @@ std::vector<float> integrated(const Matrix<float>& frames) {
   return integrator.value();
 }
 
-const Som& map_of(const System& system) {
+const Som& integrated_map_of(const System& system) {
   return *som_of(system, *system.find("map"));
 }
 
@@ -72,7 +72,7 @@ TEST(LeakyNeurons, LearnAfterEveryFrameAsInAnObviousLoop) {
     const std::vector<float> end = integrated(frames_of(recording, "joints", i));
     std::copy(end.begin(), end.end(), ends.row(i).begin());
   }
-  SomParameters parameters = map_of(system).parameters();
+  SomParameters parameters = integrated_map_of(system).parameters();
   parameters.iterations = kDraws;
   Som map = untrained_som(parameters, Samples(ends)).value();
   SomLearner learner(map);
@@ -88,7 +88,7 @@ TEST(LeakyNeurons, LearnAfterEveryFrameAsInAnObviousLoop) {
     }
   }
   learner.settle();
-  EXPECT_EQ(map_of(system).weights(), map.weights());
+  EXPECT_EQ(integrated_map_of(system).weights(), map.weights());
 }
 
 // A leaky-integrator neuron adds its input, weighted, to a potential of which it loses a share with
@@ -97,7 +97,7 @@ TEST(LeakyNeurons, LearnAfterEveryFrameAsInAnObviousLoop) {
 TEST(LeakyNeurons, TheWinnerHasTheHighestPotential) {
   const Recording recording = hand_recording(40, 7);
   const System system = trained(build(leaky_neurons(kOfFrames), recording), recording, 40, 3);
-  const LaneMatrix<float>& weights = map_of(system).weights();
+  const LaneMatrix<float>& weights = integrated_map_of(system).weights();
   std::vector<std::size_t> winners;
   for (std::size_t i = 0; i < 40; ++i) {
     std::vector<double> potentials(6);
@@ -130,7 +130,7 @@ TEST(LeakyNeurons, LearnFromFramesThoughTheEndIsKnown) {
   const System one = trained(build(leaky_neurons(kOfFrames), recording), recording, 4, 9);
   const System two =
       trained(build(leaky_neurons(other + first + kOfFrames), recording), recording, 4, 9);
-  EXPECT_EQ(map_of(one).weights(), map_of(two).weights());
+  EXPECT_EQ(integrated_map_of(one).weights(), integrated_map_of(two).weights());
 }
 
 // The map scales its input to length 1 itself.
@@ -143,7 +143,7 @@ TEST(LeakyNeurons, LearnFromModulesBehindTheMemory) {
   const System system = trained(build(unit + text, recording), recording, 4, 9);
   for (std::size_t neuron = 0; neuron < 6; ++neuron) {
     for (std::size_t j = 0; j < 3; ++j) {
-      EXPECT_NEAR(map_of(plain).weight(neuron, j), map_of(system).weight(neuron, j), 1e-5F);
+      EXPECT_NEAR(integrated_map_of(plain).weight(neuron, j), integrated_map_of(system).weight(neuron, j), 1e-5F);
     }
   }
 }

@@ -33,7 +33,7 @@ bool is_close(const Som& som, const SignalView& input, SomWorkspace& workspace) 
 }
 
 // A map that has learned nothing and knows the samples by inner products.
-Som untrained(SomParameters p, const Samples& samples) {
+Som untrained_for_products(SomParameters p, const Samples& samples) {
   p.arithmetic = Arithmetic::kInnerProducts;
   return start_som(p, samples, {}).value().som;
 }
@@ -49,7 +49,7 @@ TEST(ProductLearner, LearnsAndAnswersAsPlainArithmetic) {
       p.arithmetic = Arithmetic::kPlain;
       Som plain = untrained_som(p, samples).value();
       SomLearner by_plain(plain);
-      Som product = untrained(p, samples);
+      Som product = untrained_for_products(p, samples);
       SomLearner by_products(product);
       SomWorkspace workspace;
       std::vector<float> expected(plain.neurons());
@@ -91,7 +91,7 @@ TEST(ProductLearner, FormsTheMapThatTrainingByInnerProductsGives) {
   SomParameters p;
   p.iterations = 300;
   p.arithmetic = Arithmetic::kInnerProducts;
-  Som som = untrained(p, samples);
+  Som som = untrained_for_products(p, samples);
   const SomParameters r = som.parameters();
   DrawSequence draws(r.draws, 6, r.seed);
   SomLearner learner(som);
@@ -111,7 +111,7 @@ TEST(ProductLearner, FormsTheMapThatTrainingByInnerProductsGives) {
 TEST(ProductLearner, GivesWayToWeightsForOtherInputs) {
   Random random(83);
   const Samples samples = testing::random_samples(6, 40, false, random);
-  Som product = untrained({}, samples);
+  Som product = untrained_for_products({}, samples);
   Som plain(product.parameters(), product.weights());
   const std::size_t first = 0;
   const LearningStep step{0.3, 1.0};
@@ -134,7 +134,7 @@ TEST(ProductLearner, GivesWayToWeightsForOtherInputs) {
 TEST(ProductLearner, RefusesSamplesThatAreNotThere) {
   Random random(84);
   const Samples samples = testing::random_samples(6, 12, false, random);
-  Som som = untrained({}, samples);
+  Som som = untrained_for_products({}, samples);
   SomLearner learner(som);
   std::vector<float> activity(som.neurons());
   const std::size_t none = 6;

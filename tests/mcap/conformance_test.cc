@@ -8,6 +8,7 @@
 #include "recording/recording_layout.h"
 #include "somato/recording/inspect_recording.h"
 #include "somato/recording/recording_file.h"
+#include "support/places.h"
 #include "support/random_recordings.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
@@ -19,7 +20,7 @@ using Json = nlohmann::json;
 
 std::string run_script(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), SOMATO_NODE);
-  arguments[1] = std::string(SOMATO_MCAP_SCRIPTS) + "/" + arguments[1];
+  arguments[1] = build_path("tests/mcap/npm/" + arguments[1]);
   const ProgramRun run = run_program(arguments);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   return run.out;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
 
@@ -16,12 +17,12 @@ namespace somato {
 using Words = std::vector<std::string>;
 
 /// The example's recording.
-inline const std::string kTrials = SOMATO_SOURCE_DIR "/examples/synthetic_grasps/trials";
+inline const std::string kTrials = source_path("examples/synthetic_grasps/trials");
 
 /// The program to test: that of this build, unless the environment names another.
 inline std::string program() {
   const char* named = std::getenv("SOMATO_PROGRAM");
-  return named ? named : SOMATO_PROGRAM;
+  return named ? named : built_program();
 }
 
 /// A refused command line: what it is, and what the message must say.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "program/program_test.h"
+#include "support/places.h"
 
 namespace somato {
 namespace {
@@ -12,7 +13,7 @@ TEST_F(Reference, PagesAreWhatTheProgramPrints) {
                                                          {"modules.md", {"modules", "--markdown"}}};
   for (const auto& [name, words] : pages) {
     const std::string page = "docs/reference/" + name;
-    EXPECT_TRUE(output_of(words) == bytes_of(SOMATO_SOURCE_DIR "/" + page))
+    EXPECT_TRUE(output_of(words) == bytes_of(source_path(page)))
         << fmt::format("{0} is not what the program prints. Make it anew: {1} {2} > {0}", page,
                        "build/release/somato", fmt::join(words, " "));
   }

@@ -41,7 +41,7 @@ class TableChoice : public ProgramTest {
   std::string said_;
 };
 
-const std::string kPieces = "--memory=8B";
+const std::string kTablePieces = "--memory=8B";
 
 TEST_F(TableChoice, ColumnsLeftOutAreAsIfTheyWereNotThere) {
   write_tables();
@@ -51,7 +51,7 @@ TEST_F(TableChoice, ColumnsLeftOutAreAsIfTheyWereNotThere) {
                               {"--skip", "id, note ,s*"},
                               {"--columns-to-use", "mass,length"},
                               {"--columns-to-use", "*s*,length", "--skip", "slipped"}}) {
-    for (const Words& memory : {Words{}, {kPieces}}) {
+    for (const Words& memory : {Words{}, {kTablePieces}}) {
       SCOPED_TRACE(::testing::PrintToString(choice));
       EXPECT_TRUE(map_of(with(with({"wide.csv", "--label-column", "fruit"}, choice), memory)) ==
                   expected);
@@ -73,9 +73,9 @@ TEST_F(TableChoice, ColumnsWithoutNamesAreChosenByNumber) {
   EXPECT_NE(said_.find("\nfeatures 1, 2\n"), std::string::npos) << said_;
   EXPECT_TRUE(map_of({"bare.csv", "--skip", "1,3"}) == expected);
   EXPECT_NE(said_.find("\nfeatures 2, 4\nleft_out 1, 3\n"), std::string::npos) << said_;
-  EXPECT_TRUE(map_of({"bare.csv", "--columns-to-use", "2,4", kPieces}) == expected);
+  EXPECT_TRUE(map_of({"bare.csv", "--columns-to-use", "2,4", kTablePieces}) == expected);
   EXPECT_TRUE(map_of({"bare.npy", "--columns-to-use", "2..3"}) == expected);
-  EXPECT_TRUE(map_of({"bare.npy", "--skip", "1", kPieces}) == expected);
+  EXPECT_TRUE(map_of({"bare.npy", "--skip", "1", kTablePieces}) == expected);
   const ProgramRun mapped = run({"som", "map", "x.map", "bare.npy", "--columns-to-use", "2..3"});
   EXPECT_EQ(mapped.out, output_of({"som", "map", "x.map", "rows.csv"}));
   EXPECT_EQ(mapped.err, "somato: bare.npy: left out 1\n");
@@ -95,7 +95,7 @@ TEST_F(TableChoice, ATrainedMapPicksItsColumnsByName) {
   write("turned.csv", "length,extra,mass\n75,a,182\n180,b,118\n");
   write("plain.csv", "182,75\n118,180\n");
   const std::string expected = output_of({"som", "map", "x.map", "plain.csv"});
-  for (const Words& memory : {Words{}, {kPieces}}) {
+  for (const Words& memory : {Words{}, {kTablePieces}}) {
     const ProgramRun done = run(with({"som", "map", "x.map", "turned.csv"}, memory));
     EXPECT_EQ(done.out, expected);
     EXPECT_EQ(done.err, "somato: turned.csv: left out extra\n");
@@ -135,7 +135,7 @@ TEST_F(TableChoice, IsRefusedWhereItIsWrong) {
           {train({"--missing", "men"}), {"--missing: ", "'men'", "did you mean 'mean'?"}},
           {train({"--decimal", ","}), {"--decimal: must be point or comma"}},
           {train({"--decimal", "comma"}), {"wide.csv:1: commas separate the fields"}}});
-  for (const Words& memory : {Words{}, {kPieces}}) {
+  for (const Words& memory : {Words{}, {kTablePieces}}) {
     expect_refused(
         1, with(train({}), memory),
         {"wide.csv:2:7: 'apple' is not a number", "--label-column", "--skip 'fruit,note'"});
@@ -167,7 +167,7 @@ TEST_F(TableChoice, DecimalCommasAreReadWhenTheyAreAnnounced) {
   write("thousands.csv", "a;b\n1.000,5;2\n3;4\n");
   write("quoted.csv", "a,b\n\"1,000\",2\n3,4\n");
   const std::string expected = map_of({"point.csv"});
-  for (const Words& memory : {Words{}, {kPieces}}) {
+  for (const Words& memory : {Words{}, {kTablePieces}}) {
     EXPECT_TRUE(map_of(with({"comma.csv", "--decimal", "comma"}, memory)) == expected);
     EXPECT_EQ(output_of(with({"som", "map", "x.map", "comma.csv", "--decimal", "comma"}, memory)),
               output_of({"som", "map", "x.map", "point.csv"}));

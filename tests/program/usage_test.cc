@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "program/program_test.h"
+#include "support/places.h"
 
 namespace somato {
 namespace {
@@ -157,7 +158,7 @@ TEST_F(Usage, SystemsAreListedAndRunByName) {
     EXPECT_NE(systems.find(name), std::string::npos) << name;
   }
   EXPECT_EQ(output_of({"run", "shape_and_size", "--explain"}),
-            output_of({"run", SOMATO_SOURCE_DIR "/systems/shape_and_size.toml", "--explain"}));
+            output_of({"run", source_path("systems/shape_and_size.toml"), "--explain"}));
 }
 
 // Words such as --rows of a help text.

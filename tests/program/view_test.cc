@@ -96,7 +96,7 @@ void expect_done(const std::string& out, const std::string& command) {
 }
 
 // Has the body explore, fast, and waits until it has.
-void explore_once(const std::string& out) {
+void explore_while_viewed(const std::string& out) {
   const std::uint16_t port = port_in(out);
   expect_done(out, R"({"command":"speed","speed":100})");
   expect_done(out, R"({"command":"explore"})");
@@ -120,7 +120,7 @@ TEST_F(View, SavesWhatABodyExplores) {
   }
   EXPECT_NE(nothing.out.find("live.mcap: not written"), std::string::npos) << nothing.out;
   EXPECT_FALSE(read_recording(path("live.mcap")));
-  world.before_interrupt = explore_once;
+  world.before_interrupt = explore_while_viewed;
   const ProgramRun done = run(words, world);
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_NE(done.out.find("1 exploration saved in live.mcap\n"), std::string::npos) << done.out;

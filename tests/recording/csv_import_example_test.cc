@@ -9,6 +9,7 @@
 
 #include "files/toml_file.h"
 #include "somato/recording/csv_import.h"
+#include "support/places.h"
 
 namespace somato {
 namespace {
@@ -35,7 +36,7 @@ double strongest_frequency(const std::vector<double>& values, double rate) {
 }
 
 TEST(SyntheticStrokes, AreWhatTheirReadmeSays) {
-  const auto folder = std::filesystem::path(SOMATO_SOURCE_DIR) / "examples" / "synthetic_strokes";
+  const auto folder = std::filesystem::path(source_path("examples/synthetic_strokes"));
   const auto recording =
       read_toml((folder / "import.toml").string())
           .and_then(read_csv_import)

@@ -10,6 +10,7 @@
 
 #include "files/whole_file.h"
 #include "somato/core/check.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace somato::detail {
@@ -32,7 +33,7 @@ std::string as_text(const Image& image) {
 // The content of the file according to a reader that shares nothing with the writer.
 std::string read_independently(const std::string& path) {
   const std::string command =
-      "python3 '" SOMATO_SOURCE_DIR "/tests/simulation/read_png.py' '" + path + "'";
+      "python3 '" + source_path("tests/simulation/read_png.py") + "' '" + path + "'";
   FILE* output = popen(command.c_str(), "r");
   std::string text;
   std::array<char, 4096> part{};

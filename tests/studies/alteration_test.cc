@@ -21,12 +21,12 @@ using testing::system_of;
 using testing::values_of;
 using Values = std::vector<double>;
 
-Result<std::vector<Alteration>> read(const std::string& toml) {
+Result<std::vector<Alteration>> read_alterations(const std::string& toml) {
   return read_alterations(parse_toml(toml, "study.toml").value());
 }
 
 std::string message_of(const std::string& toml) {
-  const auto alterations = read(toml);
+  const auto alterations = read_alterations(toml);
   return alterations ? "" : to_string(alterations.error());
 }
 
@@ -54,14 +54,14 @@ TEST(Alteration, IsReadWithItsNameAndWrittenBack) {
   const std::string text =
       "[altered.half]\nfirst = 0.5\n[altered.rough]\nnoisy = ['sound', 'touch']\nnoise = 2.0\n"
       "[altered.mute]\nmissing = 'sound'\n[altered.odd]\nswapped = ['touch']\n";
-  const auto alterations = read(text).value();
+  const auto alterations = read_alterations(text).value();
   ASSERT_EQ(alterations.size(), 4U);
   EXPECT_EQ(alterations[0].name, "half");
   EXPECT_EQ(alterations[0].first, 0.5);
   EXPECT_EQ(alterations[1].noisy, (std::vector<std::string>{"sound", "touch"}));
   EXPECT_EQ(alterations[1].noise, 2.0);
   EXPECT_EQ(alterations[2].missing, std::vector<std::string>{"sound"});
-  EXPECT_EQ(to_toml(read(to_toml(alterations)).value()), to_toml(alterations));
+  EXPECT_EQ(to_toml(read_alterations(to_toml(alterations)).value()), to_toml(alterations));
   EXPECT_NE(to_toml(alterations).find("[altered.odd]\nswapped = [\"touch\"]"), std::string::npos);
 }
 

@@ -12,6 +12,7 @@
 #include "somato/graph/module.h"
 #include "somato/graph/system_description.h"
 #include "somato/studies/own_systems.h"
+#include "support/places.h"
 
 namespace somato {
 namespace {
@@ -85,7 +86,7 @@ void add_section(const Table& section, PaperList& list) {
 }
 
 PaperList paper_list(const std::string& system) {
-  const auto file = read_toml(SOMATO_SOURCE_DIR "/tests/studies/given_by_papers.toml");
+  const auto file = read_toml(source_path("tests/studies/given_by_papers.toml"));
   PaperList list;
   for (const Table::Entry& kind : file.value().entries) {
     for (const Table& table : std::get<std::vector<Table>>(kind.content)) {

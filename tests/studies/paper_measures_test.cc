@@ -53,7 +53,7 @@ TEST(SamplesSharingWithOwn, WantsAClassASample) {
 }
 
 // Groups 0 and 1, each with a small individual (0 and 2) and a large one (1 and 3).
-const std::vector<SizedThing> kThings{{10, 0}, {20, 0}, {30, 1}, {40, 1}};
+const std::vector<SizedThing> kSizedThings{{10, 0}, {20, 0}, {30, 1}, {40, 1}};
 const Grid kSizeRow(1, 20, Lattice::kRectangular, Topology::kPlane);
 
 //   neuron      0 0 1   10 10 11   19
@@ -62,19 +62,19 @@ const Grid kSizeRow(1, 20, Lattice::kRectangular, Topology::kPlane);
 // with the other 1.
 TEST(SamplesWithSizeInOtherGroup, CountsTheRightSizeInTheWrongGroup) {
   const Numbers winners{0, 0, 1, 10, 10, 11, 19};
-  EXPECT_EQ(samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 2, 3, 3, 1, 1}, kThings),
+  EXPECT_EQ(samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 2, 3, 3, 1, 1}, kSizedThings),
             2U);
   // The wrong size in the wrong group, then the wrong size in the right one.
-  EXPECT_EQ(samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 3, 3, 3, 1, 1}, kThings),
+  EXPECT_EQ(samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 3, 3, 3, 1, 1}, kSizedThings),
             1U);
-  EXPECT_EQ(samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 1, 3, 3, 3, 3}, kThings),
+  EXPECT_EQ(samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 1, 3, 3, 3, 3}, kSizedThings),
             0U);
 }
 
 TEST(SamplesWithSizeInOtherGroup, RefusesWhatHasNoSize) {
-  EXPECT_THROW((void)samples_with_size_in_other_group(kSizeRow, {0, 1}, {0, 4}, kThings),
+  EXPECT_THROW((void)samples_with_size_in_other_group(kSizeRow, {0, 1}, {0, 4}, kSizedThings),
                InvalidArgument);
-  EXPECT_THROW((void)samples_with_size_in_other_group(kSizeRow, {0}, {0, 1}, kThings),
+  EXPECT_THROW((void)samples_with_size_in_other_group(kSizeRow, {0}, {0, 1}, kSizedThings),
                InvalidArgument);
 }
 

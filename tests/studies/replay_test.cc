@@ -11,12 +11,12 @@ namespace {
 using Numbers = std::vector<std::size_t>;
 
 // Sample 0 belongs to another object. The mean of the others is 4.
-const Samples kSamples(Matrix<float>(6, 1, {100, 9, 0, 5, 4, 2}));
+const Samples kReplayedSamples(Matrix<float>(6, 1, {100, 9, 0, 5, 4, 2}));
 const Numbers kObject{1, 2, 3, 4, 5};
 
 Numbers chosen(ReplayChoice choice, std::size_t count, std::uint64_t seed = 1) {
   Random random(seed);
-  return choose_samples(choice, count, kSamples, kObject, random);
+  return choose_samples(choice, count, kReplayedSamples, kObject, random);
 }
 
 TEST(Replay, KeepsTheFirst) {
@@ -54,7 +54,7 @@ TEST(Replay, KeepsAllWhereThereAreFewer) {
     EXPECT_EQ(chosen(choice, 0), Numbers{}) << name;
   }
   Random random(1);
-  EXPECT_EQ(choose_samples(ReplayChoice::kMostDistant, 2, kSamples, {}, random), Numbers{});
+  EXPECT_EQ(choose_samples(ReplayChoice::kMostDistant, 2, kReplayedSamples, {}, random), Numbers{});
 }
 
 // Equal samples are all 0 apart; each is chosen once.

@@ -43,19 +43,19 @@ draws = 40
 
 const std::string kLeast = "[study]\nname = \"n\"\n[module.a]\ntype = \"channel\"\n";
 
-Result<StudyDescription> read(const std::string& toml) {
+Result<StudyDescription> read_study(const std::string& toml) {
   return read_study(parse_toml(toml, "study.toml").value());
 }
 
 void expect_study_refused(const std::string& toml, const std::string& message) {
-  const auto description = read(toml);
+  const auto description = read_study(toml);
   ASSERT_FALSE(description) << message;
   EXPECT_EQ(description.error().kind, ErrorKind::kUsage);
   EXPECT_EQ(to_string(description.error()), message);
 }
 
 TEST(ReadStudy, ReadsEveryPart) {
-  const StudyDescription description = read(kGood).value();
+  const StudyDescription description = read_study(kGood).value();
   const StudyParameters& study = description.study;
   EXPECT_EQ(study.name, "shapes");
   EXPECT_EQ(study.label, "shape");
@@ -83,7 +83,7 @@ TEST(ReadStudy, ReadsEveryPart) {
 }
 
 TEST(ReadStudy, NeedsNameAndModulesOnly) {
-  const StudyDescription description = read(kLeast).value();
+  const StudyDescription description = read_study(kLeast).value();
   EXPECT_EQ(description.study.protocols,
             (std::vector<Protocol>{Protocol::kTrainIsTest, Protocol::kLeaveOneOut}));
   EXPECT_EQ(description.study.label, "object");
@@ -151,7 +151,7 @@ TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
       study + "groups = [\"trial\"]\n" + module,
       "study.toml:3: 'groups' has no effect without the protocol leave_group_out; leave "
       "it out, or add it");
-  EXPECT_TRUE(read(study + "groups = []\n" + module));  // as a variation takes them away
+  EXPECT_TRUE(read_study(study + "groups = []\n" + module));  // as a variation takes them away
   expect_study_refused(study + "folds = 4\n" + module,
                        "study.toml:3: 'folds' has no effect without the protocol k_folds, "
                        "leave_class_out or object_after_object; leave it out, or add it");
@@ -189,7 +189,7 @@ template <typename Parameters>
 void expect_wrong_types_refused(const std::string& table) {
   for (const auto& parameter : Parameters::declarations().all()) {
     const std::string line = parameter.info.name + " = " + wrong_value(parameter.info);
-    const auto description = read("# a study\n[" + table + "]\n" + line + "\n");
+    const auto description = read_study("# a study\n[" + table + "]\n" + line + "\n");
     ASSERT_FALSE(description) << line;
     const std::string message = to_string(description.error());
     EXPECT_EQ(description.error().kind, ErrorKind::kUsage);

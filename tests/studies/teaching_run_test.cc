@@ -24,7 +24,7 @@ using testing::values_of;
 using Numbers = std::vector<std::size_t>;
 
 constexpr std::size_t kTrials = 8;
-const Progress kOn = [](std::uint64_t, std::uint64_t) { return true; };
+const Progress kTaughtOn = [](std::uint64_t, std::uint64_t) { return true; };
 
 StudyDescription teaching_study(const std::string& kind, const std::string& settings = "") {
   return study_from(
@@ -51,10 +51,10 @@ class Oracle {
   Oracle(const StudyDescription& description, const Recording& recording,
          const PreparedStudy& prepared, const Fold& fold, std::uint64_t seed)
       : recording_(recording), fold_(fold), learned_(fold.training) {
-    auto trained = train_fold(description, prepared, fold, seed, kOn).value();
-    novelty_ = find_novelty(description, prepared, trained, fold.training, seed, kOn).value();
+    auto trained = train_fold(description, prepared, fold, seed, kTaughtOn).value();
+    novelty_ = find_novelty(description, prepared, trained, fold.training, seed, kTaughtOn).value();
     outcome_ = test_fold(trained, prepared, fold, {});
-    trained_ = train_fold(description, prepared, fold, seed, kOn).value();
+    trained_ = train_fold(description, prepared, fold, seed, kTaughtOn).value();
     model_.emplace(std::move(trained.system), answer());
     Random random(seed, Stream::kDesign);
     Numbers shuffled;

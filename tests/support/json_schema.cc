@@ -1,4 +1,5 @@
 #include "support/json_schema.h"
+#include "support/places.h"
 
 #include <fmt/format.h>
 
@@ -240,7 +241,7 @@ Files files_of(const std::filesystem::path& folder) {
 }
 
 const JsonSchemas& page_schemas() {
-  static const JsonSchemas schemas(files_of(std::string(SOMATO_SOURCE_DIR) + "/web/schema"));
+  static const JsonSchemas schemas(files_of(source_path("web/schema")));
   return schemas;
 }
 

@@ -1,0 +1,127 @@
+"""Chooses the tests that a change can reach, for ./dev test --changed.
+
+A changed source reaches the tests of its room and those of every room with a file that includes its header,
+directly or through other headers. The nearest come first; what exceeds LIMIT is left out, and named. What
+tests reach by running the program is not followed.
+"""
+
+import re
+from dataclasses import dataclass, field
+from pathlib import PurePosixPath
+
+import changed_files
+from check_includes import ENTRANCES
+from check_mirrors import SOURCES_WITHOUT_HEADER
+
+LIMIT = 130  # processor seconds of tests beyond those of the changed rooms: 65 s on two cores
+UNKNOWN = 10  # processor seconds of tests that have no figure
+
+# Changes of these files can reach everything.
+UNBOUNDED = re.compile(
+    r"dev|CMakeLists\.txt|CMakePresets\.json|pyproject\.toml|cmake/.*|\.ci/.*|(?:src|program|web|python|fuzz)/CMakeLists\.txt"
+    r"|tests/CMakeLists\.txt|tests/support/.*\.cc|scripts/(?:with_processor_time|setup|fetch_\w+)\.sh"
+    r"|scripts/(?:packages|mujoco)\.txt")
+# What a changed file reaches beyond includes: the first pattern that matches. Rooms, or single tests.
+REACHED = [
+    (r"web/tests/(\w+)\.test\.ts", [r"web.\1"]),
+    (r"web/src/(report|view)/.*", ["web.unit", r"web.\1*"]),
+    (r"web/schema/.*", ["report", "live", "web.unit"]),
+    (r"web/.*", ["web.*"]),
+    (r"docs/notebooks/.*", ["python"]),
+    (r"python/.*", ["python"]),
+    (r"scripts/make_(synthetic_\w+)\.py", [r"examples.\1_reproducible"]),
+    (r"examples/(synthetic_\w+)/.*", [r"examples.\1_reproducible", "recording"]),
+    (r"(?:scripts|bench)/.*\.(?:py|sh|in|txt)", ["house"]),
+    (r"bench/guard.*", ["bench"]),
+    (r"fuzz/(\w+)_fuzz\.cc", [r"fuzz.\1_replay"]),
+    (r"fuzz/corpus/(\w+)/.*", [r"fuzz.\1_replay"]),
+    (r"fuzz/.*", ["fuzz.*"]),
+    (r"tests/(?:install|support)/.*", []),
+    (r"tests/(\w+)/.*", [r"\1"]),
+    # Files that are compiled into the library, with the rooms that read them there.
+    (r"(?:systems|studies)/.*", ["studies", "suggestion"]),
+    (r"(?:objects|models)/.*", ["bodies", "simulation"]),
+    (r"devices/.*", ["devices", "emulation"]),
+]
+
+
+@dataclass
+class Selection:
+    changed: set = field(default_factory=set)  # rooms and tests of the changed files themselves
+    near: dict = field(default_factory=dict)  # rooms that include them, with the number of steps
+    documents: list = field(default_factory=list)
+    unbounded: list = field(default_factory=list)  # files that can reach everything
+
+
+def room_of(name):
+    """The room, or the test, that a source in C++ belongs to; None if it has no test."""
+    parts = PurePosixPath(name).parts
+    if name.startswith("include/somato/"):
+        return ENTRANCES.get(parts[2], parts[2])
+    if parts[0] == "src":
+        return parts[1] if len(parts) > 2 else None
+    if parts[0] == "program":
+        return "program"
+    found = reached_by_name(name)
+    return found[0] if found else None
+
+
+def reached_by_name(name):
+    for pattern, reached in REACHED:
+        if match := re.fullmatch(pattern, name):
+            return [match.expand(word) for word in reached]
+    return []
+
+
+def header_of(tree, name):
+    """The headers whose functions a source defines."""
+    stem = name.removesuffix(".cc").removeprefix("src/")
+    named = SOURCES_WITHOUT_HEADER.get(f"{stem}.cc", f"{stem}.h").split(":")[0].split(" ")[0]
+    return [path.resolve() for path in (tree / "include/somato" / named, tree / "src" / named,
+                                        tree / f"{name.removesuffix('.cc')}.h") if path.is_file()]
+
+
+def starts(tree, name):
+    """The file itself and the headers of its functions."""
+    return [(tree / name).resolve(), *(header_of(tree, name) if name.endswith(".cc") else [])]
+
+
+def is_document(name):
+    return name == "README.md" or (name.startswith("docs/") and name.endswith(".md"))
+
+
+def select(tree, names):
+    """What the changed files `names`, relative to `tree`, reach."""
+    chosen = Selection(unbounded=[name for name in names if UNBOUNDED.fullmatch(name)])
+    chosen.documents = [name for name in names if is_document(name) and (tree / name).is_file()]
+    sources = [name for name in names if name.endswith((".h", ".cc"))]
+    for name in names:
+        chosen.changed.update(filter(None, [room_of(name)] if name in sources else reached_by_name(name)))
+    includers = changed_files.includers_by_header(tree) if sources else {}
+    reached = changed_files.distances([path for name in sources for path in starts(tree, name)], includers)
+    for path, steps in reached.items():
+        room = room_of(path.relative_to(tree.resolve()).as_posix())
+        if room and room not in chosen.changed:
+            chosen.near[room] = min(steps, chosen.near.get(room, steps))
+    return chosen
+
+
+def matches(item, test):
+    """Whether a room or a test, `item`, includes the test of ctest."""
+    return test.split(".")[0] == item if "." not in item else bool(
+        re.fullmatch(re.escape(item).replace(r"\*", ".*"), test))
+
+
+def within_limit(chosen, tests, seconds_of):
+    """Tests to run, and tests that the change can reach but that are left out. `seconds_of` gives the processor
+    seconds of a test, or None."""
+    run = [test for test in tests if any(matches(item, test) for item in chosen.changed)]
+    left, spent = [], 0
+    nearest = sorted(chosen.near, key=lambda item: (chosen.near[item], item))
+    for item in nearest:
+        new = [test for test in tests if matches(item, test) and test not in run]
+        cost = sum(UNKNOWN if seconds_of(test) is None else seconds_of(test) for test in new)
+        fits = spent + cost <= LIMIT
+        (run if fits else left).extend(new)
+        spent += cost if fits else 0
+    return run, left
