@@ -14,7 +14,7 @@
 namespace somato {
 namespace {
 
-BodyDescription three_sensors() {
+BodyDescription sensing_body() {
   BodyDescription body;
   body.name = "hand";
   body.sensors = {{"touch", "N", {"a", "b"}, {}, 0.0, true},
@@ -23,7 +23,7 @@ BodyDescription three_sensors() {
   return body;
 }
 
-BodyState state_of(double time, std::vector<float> touch, std::vector<float> sound) {
+BodyState sensed_state(double time, std::vector<float> touch, std::vector<float> sound) {
   const std::size_t taxels = touch.size();
   const std::size_t samples = sound.size();
   BodyState state;
@@ -56,10 +56,10 @@ class ExplorationDraftTest : public ::testing::Test {
 // The exploration that ends later has the same channels.
 TEST_F(ExplorationDraftTest, HasTheChannelsOfTheExploration) {
   ExplorationDraft draft(*file_);
-  draft.begin(three_sensors(), {{"object", "ball"}});
-  FrameLog log(three_sensors());
-  for (const BodyState& state : {state_of(0.25, {1, 2}, {10, 20, 30}), state_of(0.5, {3, 4}, {40}),
-                                 state_of(2, {5, 6}, {})}) {
+  draft.begin(sensing_body(), {{"object", "ball"}});
+  FrameLog log(sensing_body());
+  for (const BodyState& state : {sensed_state(0.25, {1, 2}, {10, 20, 30}),
+                                 sensed_state(0.5, {3, 4}, {40}), sensed_state(2, {5, 6}, {})}) {
     ASSERT_TRUE(draft.append(state));
     ASSERT_TRUE(log.append(state));
   }
@@ -80,18 +80,18 @@ TEST_F(ExplorationDraftTest, HasTheChannelsOfTheExploration) {
 // The exploring function reports such readings; the draft continues.
 TEST_F(ExplorationDraftTest, LeavesOutReadingsThatDoNotFit) {
   ExplorationDraft draft(*file_);
-  draft.begin(three_sensors(), {});
-  ASSERT_TRUE(draft.append(state_of(0.5, {1, 2}, {10, 20})));
-  ASSERT_TRUE(draft.append(state_of(0.75, {1, 2, 3}, {})));
+  draft.begin(sensing_body(), {});
+  ASSERT_TRUE(draft.append(sensed_state(0.5, {1, 2}, {10, 20})));
+  ASSERT_TRUE(draft.append(sensed_state(0.75, {1, 2, 3}, {})));
   ASSERT_TRUE(draft.append(BodyState()));
-  ASSERT_TRUE(draft.append(state_of(0.25, {3, 4}, {30}))) << "a clock that runs backwards";
+  ASSERT_TRUE(draft.append(sensed_state(0.25, {3, 4}, {30}))) << "a clock that runs backwards";
   EXPECT_EQ(recovered(2).channels[0].times, (std::vector<double>{0.5, 0.5}));
 }
 
 TEST_F(ExplorationDraftTest, BeginsAgainWithTheNextBody) {
   ExplorationDraft draft(*file_);
-  draft.begin(three_sensors(), {});
-  ASSERT_TRUE(draft.append(state_of(0.5, {1, 2}, {10, 20})));
+  draft.begin(sensing_body(), {});
+  ASSERT_TRUE(draft.append(sensed_state(0.5, {1, 2}, {10, 20})));
   BodyDescription probe;
   probe.sensors = {{"potentiometer", "", {}, {}, 0.0, true}};
   draft.begin(probe, {});

@@ -242,7 +242,7 @@ TEST_F(GrowingRecordingTest, LosesNothingThatWasReportedWhenTheDiskIsFull) {
         named = reported == 1 ? file.name(0, {"object", "cup"}).has_value() : named;
       }
       const auto finished = file.finish();
-      if (!finished && reported > 0) {
+      if (!finished && reported > 0 && fs::exists(partial())) {
         EXPECT_NE(finished.error().advice.find("somato recover"), std::string::npos);
       }
     }
