@@ -191,8 +191,8 @@ class Emulation:
         return ["--device", "d.toml"]
 
     def __exit__(self, *_):
-        self.process.send_signal(signal.SIGINT)
-        self.process.wait()
+        self.process.terminate()  # a shell's background job ignores SIGINT
+        self.process.wait(PATIENCE)
 
 
 class Simulation:
