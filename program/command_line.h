@@ -85,8 +85,8 @@ Result<S> read_flags(const Arguments& arguments, S parameters = {}) {
 }
 
 /// Runs the command of `argv`. Prints help, the version, and errors on standard error. Returns the
-/// program's exit code: 0 success, 1 failure, 2 usage error, 3 completed with losses, 130 or 143
-/// interrupted (128 and the signal).
+/// program's exit code: 0 success, 1 failure, 2 usage error, 3 completed with losses, 129, 130 or
+/// 143 interrupted (128 and the signal).
 int run_command_line(int argc, char** argv, const std::vector<Command>& commands);
 
 }  // namespace somato::program

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "bodies/exploration_draft.h"
 #include "commands.h"
 #include "data.h"
 #include "device.h"
@@ -14,9 +15,10 @@
 #include "files/toml_file.h"
 #include "output.h"
 #include "output_folder.h"
+#include "recording/growing_recording.h"
+#include "session_recording.h"
 #include "simulation/hand_picture.h"
 #include "somato/bodies/exploring.h"
-#include "somato/recording/recording_file.h"
 #include "somato/simulation/simulated_explorer.h"
 #include "terminal.h"
 #include "topics.h"
@@ -75,15 +77,6 @@ struct Request {
     return real ? real->things() : simulated->things();
   }
 };
-
-// Explorations of a real body follow each other; only simulated ones are made at the same time.
-Result<ExploringOutcome> explore_things(const Request& request, const ExplorationSink& sink) {
-  const ExploreOptions options{
-      .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
-  const Progress progress = terminal_progress("exploring");
-  if (request.real) return explore_all(*request.real, {request.each}, options, sink, progress);
-  return explore_all(*request.simulated, {request.each}, request.threads, options, sink, progress);
-}
 
 // Flags of simulated bodies that a device or topics would ignore.
 Result<void> check_real_flags(const Arguments& arguments, const std::string& source) {
@@ -157,15 +150,12 @@ Result<Request> read_request(const Arguments& arguments) {
 // The number of frames per step of a hand's exploration; of a probe, of its only channel.
 class FrameSpread {
  public:
-  void add(const Exploration& exploration) {
-    const std::size_t frames = exploration.channels.front().frames.rows();
+  void add(std::size_t frames) {
     least_ = std::min(least_.value_or(frames), frames);
     most_ = std::max(most_, frames);
     sum_ += frames;
     ++count_;
   }
-
-  std::size_t count() const { return count_; }
 
   std::string text() const {
     if (least_ == most_) return counted(most_, "frame") + " each";
@@ -218,16 +208,51 @@ Result<void> judge(const Request& request, const ExploringOutcome& outcome) {
       request.output);
 }
 
-Result<void> explore_into(RecordingFile& file, const Request& request) {
+// The readings of a real body are saved while it explores.
+ExplorationObserver saving_observer(ExplorationDraft& draft, std::vector<Label> labels) {
+  return {[&draft, labels = std::move(labels)](const BodyDescription& body,
+                                               const Scene&) -> Result<void> {
+            draft.begin(body, labels);
+            return {};
+          },
+          [&draft](const ExplorationStep& step) {
+            return step.readings == Readings::kRecorded ? draft.append(step.state) : Result<void>();
+          }};
+}
+
+Result<Exploration> explore_one(GrowingRecording& file, Explorer& body, ExploreOptions options,
+                                std::size_t thing, std::size_t trial) {
+  ExplorationDraft draft(file);
+  options.observer = saving_observer(draft, body.labels(thing, trial));
+  auto explored = body.explore(thing, trial, options);
+  if (!explored) SOMATO_TRY_VOID(file.drop_draft());
+  return explored;
+}
+
+// Explorations of a real body follow each other; only simulated ones are made at the same time.
+Result<ExploringOutcome> explore_things(GrowingRecording& file, const Request& request,
+                                        const ExplorationSink& sink) {
+  const ExploreOptions options{
+      .limits = {static_cast<double>(request.longest), [] { return !stop_requested(); }}};
+  const Progress progress = terminal_progress("exploring");
+  if (request.simulated) {
+    return explore_all(*request.simulated, {request.each}, request.threads, options, sink,
+                       progress);
+  }
+  const auto explore = [&](std::size_t thing, std::size_t trial) {
+    return explore_one(file, *request.real, options, thing, trial);
+  };
+  return explore_in_turn(*request.real, {request.each}, explore, sink, progress);
+}
+
+Result<void> explore_into(GrowingRecording& file, const Request& request) {
   FrameSpread spread;
   const auto sink = [&](Exploration&& exploration) {
-    spread.add(exploration);
-    return file.add(std::move(exploration));
+    const std::size_t frames = exploration.channels.front().frames.rows();
+    return file.add(std::move(exploration)).map([&] { spread.add(frames); });
   };
-  auto outcome = explore_things(request, sink);
-  const bool interrupted = !outcome && outcome.error().kind == ErrorKind::kInterrupted;
-  if (!outcome && !interrupted) return fail(std::move(outcome.error()));
-  const std::size_t recorded = spread.count();
+  auto outcome = explore_things(file, request, sink);
+  const std::size_t recorded = file.count();
   if (recorded == 0 && outcome) {
     report_failures(request, *outcome);
     return fail(ErrorKind::kData, "every exploration failed; no recording was saved",
@@ -237,8 +262,8 @@ Result<void> explore_into(RecordingFile& file, const Request& request) {
   SOMATO_TRY_VOID(file.finish());
   print_summary(fmt::format("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
                             counted(request.things().size(), "thing"), spread.text()));
-  if (!interrupted) return judge(request, *outcome);
-  outcome.error().advice = fmt::format("the first {} explorations are recorded", recorded);
+  if (outcome) return judge(request, *outcome);
+  outcome.error().advice = saved_text(file);
   return fail(std::move(outcome.error()));
 }
 
@@ -248,8 +273,8 @@ Result<void> run_explore(const Arguments& arguments) {
   if (!request.image_folder.empty()) {
     SOMATO_TRY_VOID(images.make());
   }
-  SOMATO_TRY(auto file, RecordingFile::begin(request.output));
-  return explore_into(file, request);
+  SOMATO_TRY(const auto file, GrowingRecording::begin(request.output));
+  return explore_into(*file, request);
 }
 
 }  // namespace

@@ -126,9 +126,9 @@ void print_start(const ViewServer* server) {
              stderr);
 }
 
-Error with_recorded(Error error, std::size_t explorations) {
-  if (error.kind == ErrorKind::kInterrupted && explorations > 0) {
-    error.advice = "the recording has " + counted(explorations, "exploration");
+Error with_saved(Error error, SessionRecording& recording) {
+  if (error.kind == ErrorKind::kInterrupted && recording.explorations() > 0) {
+    error.advice = saved_text(*recording.file());
   }
   return error;
 }
@@ -144,7 +144,8 @@ Result<void> run_live(const Arguments& arguments) {
   if (source.teaches) readings.take_names(!is_viewed);  // a page must not wait
   source.readings = readings.sink();
   SessionRecording recording(arguments.text("output"));
-  SOMATO_TRY_VOID(recording.begin(source));
+  SOMATO_TRY_VOID(recording.begin());
+  source.file = recording.file();
   catch_stop_requests();
   ViewSession session(std::move(source), {is_viewed, speed});
   SOMATO_TRY(auto server, serve_view(session, std::move(view)));
@@ -153,12 +154,12 @@ Result<void> run_live(const Arguments& arguments) {
   readings.wait(is_viewed);
   server.reset();
   session.stop();
-  SOMATO_TRY_VOID(save_taught(arguments, readings, session));
   SOMATO_TRY(const auto saved, recording.finish());
   print_note(saved);
+  SOMATO_TRY_VOID(save_taught(arguments, readings, session));
   auto outcome = readings.outcome();
   if (outcome) return outcome;
-  return fail(with_recorded(std::move(outcome.error()), recording.explorations()));
+  return fail(with_saved(std::move(outcome.error()), recording));
 }
 
 }  // namespace

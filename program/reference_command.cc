@@ -135,7 +135,7 @@ std::string reference_page(const std::vector<Command>& commands) {
       "[The tutorial](../tutorial.md) shows examples, [results.md](results.md) defines the "
       "metrics.\n\n"
       "Exit codes: 0 success, 1 data or system error, 2 usage error, 3 completed with losses, "
-      "130 or 143 interrupted.\n\n## Commands\n\n";
+      "129, 130 or 143 interrupted.\n\n## Commands\n\n";
   for (const Command& command : commands) add_command(page, command);
   page +=
       "## Study files\n\nA study is a TOML file: the tables `[study]`, `[recording]` and, if "

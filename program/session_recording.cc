@@ -2,29 +2,25 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "wording.h"
 
 namespace somato::program {
 
-Result<void> SessionRecording::begin(ViewSource& source) {
+Result<void> SessionRecording::begin() {
   if (path_.empty()) return {};
-  SOMATO_TRY(auto file, RecordingFile::begin(path_));
-  file_.emplace(std::move(file));
-  source.sink = [this](Exploration&& exploration) {
-    return file_->add(std::move(exploration)).map([this] { ++explorations_; });
-  };
+  SOMATO_TRY(file_, GrowingRecording::begin(path_));
   return {};
 }
 
 Result<std::string> SessionRecording::finish() {
   if (!file_) return std::string();
-  if (explorations_ == 0) {
-    return fmt::format("{}: not written, because the body explored nothing\n", path_);
-  }
-  return file_->finish().map(
-      [this] { return fmt::format("{}: {}\n", path_, counted(explorations_, "exploration")); });
+  SOMATO_TRY_VOID(file_->finish());
+  if (file_->count() > 0) return saved_text(*file_) + "\n";
+  return fmt::format("{}: not written, because the body explored nothing\n", path_);
+}
+
+std::string saved_text(const GrowingRecording& file) {
+  return fmt::format("{} saved in {}", counted(file.count(), "exploration"), file.path());
 }
 
 }  // namespace somato::program

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <string>
 #include <utility>
 
-#include "live/view_source.h"
+#include "recording/growing_recording.h"
 #include "somato/core/result.h"
-#include "somato/recording/recording_file.h"
 
 namespace somato::program {
 
@@ -17,19 +16,24 @@ class SessionRecording {
   /// `path` is empty if nothing is saved.
   explicit SessionRecording(std::string path) : path_(std::move(path)) {}
 
-  /// Makes `source` save each exploration; it must not outlive this object.
-  Result<void> begin(ViewSource& source);
+  /// Begins the file. Errors: those of GrowingRecording.
+  Result<void> begin();
+
+  /// The file that grows, or nullptr.
+  GrowingRecording* file() { return file_.get(); }
 
   /// Called after the session is stopped; returns a line about the file, or nothing. Without an
-  /// exploration there is no file.
+  /// exploration there is no file. Errors: those of GrowingRecording.
   Result<std::string> finish();
 
-  std::size_t explorations() const { return explorations_; }
+  std::size_t explorations() const { return file_ ? file_->count() : 0; }
 
  private:
   std::string path_;
-  std::optional<RecordingFile> file_;
-  std::size_t explorations_ = 0;
+  std::unique_ptr<GrowingRecording> file_;
 };
+
+/// "4 explorations saved in hand.mcap".
+std::string saved_text(const GrowingRecording& file);
 
 }  // namespace somato::program

@@ -24,7 +24,8 @@ std::atomic<void (*)(int)> last_handler = SIG_DFL;
 
 void on_interrupt(int signal) {
   interrupted = signal;
-  std::signal(signal, last_handler);
+  // A terminal that is closed may say so twice, to its shell and by it.
+  std::signal(signal, signal == SIGHUP ? SIG_IGN : last_handler.load());
   constexpr std::string_view kSaid = "\nsomato: stopping; press Ctrl-C again to end immediately\n";
   if (isatty(STDERR_FILENO) == 1 && !quiet) {
     [[maybe_unused]] const auto written = write(STDERR_FILENO, kSaid.data(), kSaid.size());
@@ -123,11 +124,12 @@ void report_file_size_limits() {
 void catch_stop_requests() {
   catch_signal(SIGINT);
   catch_signal(SIGTERM);
+  catch_signal(SIGHUP);
 }
 
 void on_last_signal(void (*handler)(int)) {
   last_handler = handler != nullptr ? handler : SIG_DFL;
-  for (const int signal : {SIGHUP, SIGQUIT, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) {
+  for (const int signal : {SIGQUIT, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) {
     std::signal(signal, last_handler);
   }
 }

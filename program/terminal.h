@@ -18,8 +18,8 @@ void print_summary(const std::string& text);
 /// Makes a file size limit an error that is reported; without this it ends the process.
 void report_file_size_limits();
 
-/// From now on the first Ctrl-C (or a request to terminate) makes stop_requested() true, with a
-/// message on a terminal; the second ends the program immediately.
+/// From now on the first Ctrl-C (or a request to terminate, or the end of the terminal) makes
+/// stop_requested() true, with a message on a terminal; the second ends the program immediately.
 void catch_stop_requests();
 
 /// Makes `handler` handle the second signal instead, and all signals that end the program after a

@@ -173,7 +173,8 @@ Result<void> run_view(const Arguments& given) {
   if (arguments.has("render")) return render_view(arguments, std::move(source));
   SOMATO_TRY(auto served, view_pages());
   SessionRecording recording(arguments.text("output"));
-  SOMATO_TRY_VOID(recording.begin(source));
+  SOMATO_TRY_VOID(recording.begin());
+  source.file = recording.file();
   catch_stop_requests();
   ViewSession session(std::move(source), settings_of(arguments));
   session.start();
@@ -215,8 +216,7 @@ Command view_command() {
                   "TOML file with the objects and materials that the body explores, instead of its "
                   "own table, or that were explored in the recording"),
        output_flag("-o,--output",
-                   "With --body or --device: file for a recording of the explorations, saved when "
-                   "the view ends"),
+                   "With --body, --device or --topics: file for a recording of the explorations"),
        input_flag("--model",
                   "Trained system that evaluates the explorations, saved by 'somato run'")},
       {},

@@ -4,6 +4,11 @@
 
 namespace somato {
 
+std::vector<Label> Explorer::labels(std::size_t thing, std::size_t trial) const {
+  const ExploredThing& explored = things_.at(thing);
+  return explored.object ? labels_of(*explored.object, trial) : labels_of(explored.material, trial);
+}
+
 Result<Exploration> Explorer::explore(std::size_t thing, std::size_t trial,
                                       const ExploreOptions& options) {
   require(thing < things_.size(), "Explorer::explore: no such thing");

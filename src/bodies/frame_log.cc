@@ -45,8 +45,7 @@ Result<void> FrameLog::append(Sensor& sensor, const Matrix<float>& frames, doubl
   }
   channel.frames.append(frames);
   for (std::size_t i = 0; sensor.times_known && i < frames.rows(); ++i) {
-    const auto later = static_cast<double>(frames.rows() - 1 - i);
-    channel.times.push_back(later == 0.0 ? end : end - later / sensor.rate);
+    channel.times.push_back(frame_time(i, frames.rows(), sensor.rate, end));
   }
   return {};
 }

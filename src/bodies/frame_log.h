@@ -1,11 +1,19 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "somato/bodies/body.h"
 #include "somato/recording/recording.h"
 
 namespace somato {
+
+/// The time of a frame, of the `frames` that a sensor with this rate (Hz, or 0) gave in a step that
+/// ended at `end`, in seconds.
+inline double frame_time(std::size_t frame, std::size_t frames, double rate, double end) {
+  const auto later = static_cast<double>(frames - 1 - frame);
+  return later == 0.0 ? end : end - later / rate;
+}
 
 /// Collects the readings of a body during selected steps.
 class FrameLog {

@@ -9,10 +9,6 @@
 namespace somato::devices {
 namespace {
 
-std::vector<Label> labels_of_thing(const ExploredThing& thing, std::size_t trial) {
-  return thing.object ? labels_of(*thing.object, trial) : labels_of(thing.material, trial);
-}
-
 // The present readings as an exploration with the labels of `named`, of one frame.
 Exploration as_exploration(const Body& body, const Exploration& named) {
   Exploration present{named.labels, {}, {}};
@@ -163,7 +159,7 @@ Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t
   SOMATO_TRY_VOID(place(thing, trial));
   SOMATO_TRY(DeviceBody* const started, body());
   const std::shared_ptr<void> watch = surroundings_.watch ? surroundings_.watch() : nullptr;
-  const Exploration named{labels_of_thing(things()[thing], trial), {}, {}};
+  const Exploration named{labels(thing, trial), {}, {}};
   auto explored = explore_on(*started, named, options);
   if (explored) {
     explored->labels = named.labels;

@@ -1,6 +1,7 @@
 #include "files/file_system.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -60,7 +61,8 @@ class OperatingSystem final : public FileSystem {
                       found.st_mtim.tv_sec * kNanoseconds + found.st_mtim.tv_nsec,
                       found.st_mode & kPermissionBits,
                       found.st_uid,
-                      found.st_gid};
+                      found.st_gid,
+                      static_cast<std::size_t>(found.st_nlink)};
   }
 
   Outcome<std::size_t> read(int file, char* bytes, std::size_t count) override {
@@ -84,6 +86,7 @@ class OperatingSystem final : public FileSystem {
   }
 
   Outcome<void> flush(int file) override { return done(::fsync(file)); }
+  Outcome<void> lock(int file) override { return done(::flock(file, LOCK_EX | LOCK_NB)); }
   Outcome<void> close(int file) override { return done(::close(file)); }
 
   Outcome<void> rename(const std::string& from, const std::string& to) override {

@@ -21,6 +21,7 @@ struct FileStatus {
   unsigned permissions = 0;   ///< The nine permission bits.
   unsigned owner = 0;
   unsigned group = 0;
+  std::size_t links = 1;  ///< The number of names in folders; 0 once it was removed.
 };
 
 /// Mode of opening a file.
@@ -51,6 +52,9 @@ class FileSystem {
   virtual Outcome<std::size_t> write(int file, std::string_view bytes) = 0;
   virtual Outcome<void> set_permissions(int file, const FileStatus& like) = 0;
   virtual Outcome<void> flush(int file) = 0;
+
+  /// Locks the file for this process until it is closed; EWOULDBLOCK if another one holds the lock.
+  virtual Outcome<void> lock(int file) = 0;
   virtual Outcome<void> close(int file) = 0;
   virtual Outcome<void> rename(const std::string& from, const std::string& to) = 0;
   virtual Outcome<void> remove(const std::string& path) = 0;

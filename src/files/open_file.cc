@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 
 namespace somato {
@@ -98,12 +99,26 @@ Outcome<void> OpenFile::flush() const {
   return uninterrupted([&] { return files_->flush(number_); });
 }
 
+Outcome<void> OpenFile::lock() const {
+  return uninterrupted([&] { return files_->lock(number_); });
+}
+
 Outcome<void> OpenFile::close() {
   const int number = std::exchange(number_, -1);
   if (number < 0) return {};
   Outcome<void> closed = files_->close(number);
   if (!closed && closed.error() == EINTR) return {};
   return closed;
+}
+
+Outcome<void> flush_folder_of(FileSystem& files, const std::string& path) {
+  const std::string parent = std::filesystem::path(path).parent_path().string();
+  Outcome<OpenFile> opened = OpenFile::open(files, parent.empty() ? "." : parent, Opening::kFolder);
+  if (!opened && opened.error() == EACCES) return {};
+  if (!opened) return tl::unexpected<int>(opened.error());
+  Outcome<void> flushed = opened->flush();
+  if (!flushed && flushed.error() == EINVAL) return {};
+  return flushed;
 }
 
 }  // namespace somato

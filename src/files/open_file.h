@@ -45,6 +45,7 @@ class OpenFile {
   Outcome<void> write_all(std::string_view bytes) const;
   Outcome<void> take_permissions(const FileStatus& like) const;
   Outcome<void> flush() const;
+  Outcome<void> lock() const;
 
   /// Never twice: after a failed close the number may already belong to another file.
   Outcome<void> close();
@@ -61,5 +62,10 @@ struct FileToRead {
 
 /// Opens a file for reading. Errors: kSystem with the system's reason, also for a folder.
 Result<FileToRead> open_to_read(FileSystem& files, const std::string& path);
+
+/// Flushes the folder that holds `path`, so that names that were given or removed there survive a
+/// power failure. A folder that may be written to but not read, or a file system that cannot flush
+/// folders, is no reason to fail.
+Outcome<void> flush_folder_of(FileSystem& files, const std::string& path);
 
 }  // namespace somato

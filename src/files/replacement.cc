@@ -60,18 +60,16 @@ Outcome<NewFile> create_beside(FileSystem& files, const std::string& path) {
   }
 }
 
-// A folder that may be written to but not read, or a file system that cannot flush folders, is no
-// reason to fail.
-Outcome<void> flush_folder(FileSystem& files, const std::string& folder) {
-  Outcome<OpenFile> opened = OpenFile::open(files, folder, Opening::kFolder);
-  if (!opened && opened.error() == EACCES) return {};
-  if (!opened) return tl::unexpected<int>(opened.error());
-  Outcome<void> flushed = opened->flush();
-  if (!flushed && flushed.error() == EINVAL) return {};
-  return flushed;
-}
-
 }  // namespace
+
+bool is_written_directly(const std::string& path) {
+  const Target target = follow_links(path);
+  std::error_code ignored;
+  const auto status = std::filesystem::status(target.path, ignored);
+  const bool is_there = std::filesystem::exists(status);
+  return target.direct || (is_there && !std::filesystem::is_regular_file(status) &&
+                           !std::filesystem::is_directory(status));
+}
 
 Replacement::Replacement(Replacement&& other) noexcept
     : files_(other.files_),
@@ -128,7 +126,7 @@ Result<void> Replacement::commit() {
   });
   if (!saved) return system_failure("cannot save", path_, saved.error());
   beside_.clear();
-  const Outcome<void> kept = flush_folder(*files_, folder_of(path_));
+  const Outcome<void> kept = flush_folder_of(*files_, path_);
   if (!kept) return system_failure("saved, but a power failure may undo it", path_, kept.error());
   return {};
 }

@@ -45,4 +45,7 @@ class Replacement {
   std::string beside_;  // The new file's name for now; empty once it has its own, or never had any.
 };
 
+/// Whether Replacement writes to `path` directly: a pipe, a device, `/dev/stdout`.
+bool is_written_directly(const std::string& path);
+
 }  // namespace somato

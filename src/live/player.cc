@@ -47,7 +47,7 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       queue_(queue),
       replay_(hub, pace_, source_.readings),
       chosen_(source_, replay_),
-      kept_(source_.recording, source_.sink),
+      kept_(source_.recording, source_.file),
       audience_(beginning_of(source_, settings), may_rest(source_, settings)),
       plan_(std::move(source_.plan), source_.demonstrates, source_.thing),
       result_pause_(settings.result_pause),
@@ -73,7 +73,6 @@ void Player::begin() {
 void Player::run() {
   while (!closed_) guarded([this] { turn(); });
   body_.join();
-  guarded([this] { save_before(kept_.count()); });
 }
 
 // A body that is stopped ends its exploration by finish().
@@ -371,7 +370,7 @@ void Player::explore() {
   moments_left_ = 0;
   if (std::exchange(is_permitted_, false)) source_.explorer->resume();
   const ExplorationPlan::Next next = plan_.next();
-  exploring_ = next.thing;
+  exploring_ = next;
   body_.start(*source_.explorer, next.thing, next.trial, next.placement);
 }
 
@@ -380,6 +379,7 @@ void Player::grow(const BodyDescription& body, const Scene& scene) {
   std::shared_ptr<const Scene>& kept = kept_scenes_[json_text(scene_json(scene))];
   if (!kept) kept = std::make_shared<const Scene>(scene);
   growing_.emplace(kept_.count(), body, kept);
+  kept_.begin_next(body, source_.explorer->labels(exploring_.thing, exploring_.trial));
   pace_.begin();
   replay_.begin(growing_->played());
   publish_state();
@@ -390,6 +390,7 @@ void Player::show_step() {
   const BodyStep step = *std::exchange(coming_, std::nullopt);
   growing_->append(step);
   body_.go_on();
+  if (step.readings == Readings::kRecorded) report(kept_.append_to_next(step.state));
   if (step.readings == Readings::kLeftOut) return replay_.show_between(growing_->last());
   if (moments_left_ > 0) --moments_left_;
   replay_.show(replay_.next());
@@ -436,16 +437,14 @@ void Player::fail_exploring(const Error& error) {
 
 Result<void> Player::keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene) {
   SOMATO_TRY_VOID(kept_.add(std::move(exploration), std::move(scene)));
-  save_before(kept_.count() - 1);
+  report(kept_.save_last());  // before its end is shown
   begin_exploration(kept_.count() - 1);
   replay_.show(replay_.moments() - 1);
   teach_given(kept_.count() - 1);
   return {};
 }
 
-// An exploration is saved when the next one has ended: it can be named until then.
-void Player::save_before(std::size_t end) {
-  const auto saved = kept_.save_before(end);
+void Player::report(const Result<void>& saved) {
   if (saved) return;
   problem_ = sentence_of(saved.error());
   replay_.tap().finish(saved);
@@ -501,7 +500,7 @@ std::vector<Label> Player::shown_labels() const {
   if (replay_.played() == nullptr) return {};
   const PlayedExploration& played = *replay_.played();
   if (played.has_ended) return names().labels(played.index, played.exploration->labels);
-  const ExploredThing& thing = source_.explorer->things()[exploring_];
+  const ExploredThing& thing = source_.explorer->things()[exploring_.thing];
   const bool is_material = !thing.object && !thing.material.name.empty();
   return names().labels(played.index, {{is_material ? "material" : "object", thing.name}});
 }

@@ -106,7 +106,7 @@ class Player {
   Result<void> keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene);
   Result<void> name(const Label& given);
   std::vector<Label> shown_labels() const;
-  void save_before(std::size_t end);
+  void report(const Result<void>& saved);
 
   ViewSource source_;
   EventHub& hub_;
@@ -123,8 +123,8 @@ class Player {
 
   // The state of a body.
   ExplorationPlan plan_;
-  double result_pause_ = 0.0;  // s
-  std::size_t exploring_ = 0;  // the thing that is explored
+  double result_pause_ = 0.0;        // s
+  ExplorationPlan::Next exploring_;  // what is explored
   bool wants_exploring_ = false;
   bool is_permitted_ = false;  // a viewer lets a body explore that a fault has stopped
   std::optional<GrowingExploration> growing_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "live/reading_sink.h"
+#include "recording/growing_recording.h"
 #include "somato/bodies/explorer.h"
 #include "somato/bodies/exploring.h"
 #include "somato/bodies/scene.h"
@@ -58,10 +59,11 @@ struct ViewSource {
   bool demonstrates = false;
   /// The selected system is trained on these; may have no rounds.
   PriorExplorations prior_explorations = {};
-  bool teaches = true;        ///< Whether the selected system learns the names that are given.
-  std::uint64_t seed = 1;     ///< The seed of training.
-  ExplorationSink sink = {};  ///< Takes each exploration of the body, to save it; may be empty.
-  SceneFinder scenes = {};    ///< For recordings; may be empty.
+  bool teaches = true;     ///< Whether the selected system learns the names that are given.
+  std::uint64_t seed = 1;  ///< The seed of training.
+  /// Where the explorations of the body are saved, or nullptr; must outlive the session.
+  GrowingRecording* file = nullptr;
+  SceneFinder scenes = {};  ///< For recordings; may be empty.
   /// Takes what the first of the systems says, which is then the only one; may be empty.
   live::ReadingSink readings = {};
   std::vector<ViewSystem> systems = {};

@@ -1,5 +1,7 @@
 #include "live/view_state.h"
 
+#include <filesystem>
+#include <string>
 #include <utility>
 
 #include "recording/recording_json.h"
@@ -39,6 +41,13 @@ Json rates_json(const PlayedExploration* played) {
     rates[channels[i].name] = played->timeline->rate(i);
   }
   return rates;
+}
+
+// The file of the session, as it is on the disk.
+Json saved_json(const GrowingRecording* file) {
+  if (file == nullptr) return {};
+  const std::string name = std::filesystem::path(file->path()).filename().string();
+  return {{"file", name}, {"explorations", file->count()}};
 }
 
 // The length of what a body still explores is not known.
@@ -111,6 +120,7 @@ Json state_json(const ViewState& state) {
   add_taught(state, json);
   json["training"] = state.training;
   json["demonstrated"] = state.demonstrated ? Json(*state.demonstrated) : Json();
+  json["saved"] = saved_json(state.source.file);
   json["clients"] = state.clients;
   json["awaits_start"] = state.awaits_start;
   json["problem"] = or_null(state.problem);

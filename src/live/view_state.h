@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "live/given_names.h"
 #include "live/played_exploration.h"
 #include "live/reading_sink.h"
 #include "live/view_json.h"
 #include "live/view_source.h"
 #include "live/viewed_system.h"
+#include "recording/given_names.h"
 #include "somato/bodies/placement.h"
 
 namespace somato::live {

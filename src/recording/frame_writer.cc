@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "files/text.h"
+#include "recording/exploration_notes.h"
 #include "recording/nanoseconds.h"
 #include "recording/recording_layout.h"
 #include "somato/core/check.h"
@@ -158,6 +159,21 @@ Result<std::uint64_t> FrameWriter::log_time(OpenChannel& channel, double time) c
   }
   channel.latest = *nanoseconds;
   return static_cast<std::uint64_t>(*nanoseconds + zero_);
+}
+
+Result<void> FrameWriter::label(std::uint64_t exploration, const Label& label) {
+  require(exploration < explorations_, "the file has no such exploration");
+  SOMATO_TRY_VOID(check_text(label.name, "the label", path_));
+  SOMATO_TRY_VOID(check_text(label.value, "the label's value", path_));
+  const McapMetadata note = ExplorationNotes::label(exploration, label);
+  if (mcap_record(note).size() <= kLongestExplorationText) return file_.add(note);
+  return bad("the label is too long", path_,
+             fmt::format("keep it below {} KiB", kLongestExplorationText >> 10));
+}
+
+Result<void> FrameWriter::leave_out(std::uint64_t exploration) {
+  require(exploration < explorations_, "the file has no such exploration");
+  return file_.add(ExplorationNotes::left_out(exploration));
 }
 
 std::span<const float> FrameWriter::with_gaps(std::span<const float> values,

@@ -33,10 +33,16 @@ class FrameWriter final : public FrameSink {
   Result<void> frame(std::size_t channel, std::span<const float> values, double time,
                      std::span<const std::uint8_t> valid) override;
   Result<void> end_exploration() override { return log_.end(); }
+  /// Adds a record about an exploration that has begun, open or not. Throws InvalidArgument if it
+  /// has not. Errors: kData for a text that is not UTF-8 or too long; those of the sink.
+  Result<void> label(std::uint64_t exploration, const Label& label);
+  Result<void> leave_out(std::uint64_t exploration);
+
   Result<void> end_chunk() { return file_.end_chunk(); }
   Result<void> finish() { return file_.finish(); }
 
   bool is_open() const { return log_.is_open(); }
+  std::uint64_t explorations() const { return explorations_; }
   bool chunk_is_empty() const { return file_.chunk_is_empty(); }
 
  private:

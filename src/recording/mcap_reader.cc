@@ -8,35 +8,16 @@
 #include "files/little_endian.h"
 #include "files/text.h"
 #include "recording/mcap_compression.h"
+#include "recording/mcap_search.h"
 
 namespace somato {
 namespace {
 
 constexpr std::size_t kMostBytesAnnounced = std::size_t{8} << 20;
 constexpr std::size_t kSmallRecord = std::size_t{1} << 20;
-constexpr std::size_t kSearchedAtOnce = std::size_t{1} << 20;
-// Before the bytes of a chunk come opcode, length, times, sizes, checksum and the compression.
-constexpr std::size_t kLargestChunkHead = kMcapRecordHead + 8 + 8 + 8 + 4 + 4 + 4 + 8;
 
 std::string opcode_text(McapOpcode opcode) {
   return fmt::format("a record of kind 0x{:02X}", static_cast<unsigned>(opcode));
-}
-
-// Whether a chunk begins here, in a file with `left` bytes from here on, whose sizes agree.
-bool is_chunk_head(std::string_view bytes, std::size_t left) {
-  const std::string_view head = bytes.substr(0, kLargestChunkHead);
-  if (head.size() < kMcapRecordHead) return false;
-  const auto length = little_endian<std::uint64_t>(&head[1]);
-  if (length > kLargestMcapChunk + kLargestChunkHead || length > left - kMcapRecordHead) {
-    return false;
-  }
-  const std::optional<McapChunk> chunk = parse_cut_mcap_chunk(head.substr(kMcapRecordHead));
-  if (!chunk || chunk->unpacked_size > kLargestMcapChunk) return false;
-  const std::string_view name = chunk->compression;
-  if (!name.empty() && name != "lz4" && name != "zstd") return false;
-  const std::size_t head_size = head.size() - chunk->packed.size();
-  const auto packed = little_endian<std::uint64_t>(&head[head_size - sizeof(std::uint64_t)]);
-  return packed == length - (head_size - kMcapRecordHead);
 }
 
 }  // namespace
@@ -67,6 +48,7 @@ Result<void> McapReader::begin() {
   }
   crc_.add(magic);
   place_ = kMcapMagic.size();
+  SOMATO_TRY(notes_, find_notes(input_));
   return {};
 }
 
@@ -357,20 +339,9 @@ Result<bool> McapReader::open_cut_chunk() {
 }
 
 Result<bool> McapReader::find_chunk(std::size_t from) {
-  for (std::size_t at = from; at < size();) {
-    SOMATO_TRY(const std::string_view bytes, input_.view(at, kSearchedAtOnce));
-    const bool last = at + bytes.size() >= size();
-    if (bytes.size() < kLargestChunkHead && !last) return false;  // It has become shorter.
-    const std::size_t heads = last ? bytes.size() : bytes.size() - kLargestChunkHead;
-    for (std::size_t i = 0; i < heads; ++i) {
-      i = std::min(bytes.find(static_cast<char>(McapOpcode::kChunk), i), heads);
-      if (i == heads || !is_chunk_head(bytes.substr(i), size() - at - i)) continue;
-      place_ = at + i;
-      return true;
-    }
-    at += std::max<std::size_t>(heads, 1);
-  }
-  return false;
+  SOMATO_TRY(const auto found, find_mcap_chunk(input_, from));
+  place_ = found.value_or(place_);
+  return found.has_value();
 }
 
 }  // namespace somato

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "files/checksum.h"
+#include "recording/exploration_notes.h"
 #include "recording/mcap_input.h"
 #include "recording/mcap_records.h"
 #include "somato/core/result.h"
@@ -29,6 +30,9 @@ class McapReader {
   /// After an error: continues behind the damage, with the rest of the chunk or the next complete
   /// chunk. Returns whether there are more data. Errors: kSystem with the system's reason.
   Result<bool> go_on();
+
+  /// The notes about explorations in the whole file; none in a file of another program.
+  const ExplorationNotes& notes() const { return notes_; }
 
   const McapHeader& header() const { return header_; }
   const std::string& path() const { return input_.path(); }
@@ -82,6 +86,7 @@ class McapReader {
 
   McapInput input_;
   McapHeader header_;
+  ExplorationNotes notes_;
   std::size_t place_ = 0;  // The place of the next record outside chunks.
   bool in_chunk_ = false;
   std::string chunk_;

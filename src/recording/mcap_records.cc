@@ -29,6 +29,12 @@ class Fields {
   std::string bytes_;
 };
 
+std::string texts_bytes(const std::map<std::string, std::string>& texts) {
+  Fields fields;
+  for (const auto& [name, text] : texts) fields.text(name).text(text);
+  return fields.bytes();
+}
+
 // Takes fields one after the other; after one that does not fit all are empty, and fits() is false.
 class Taker {
  public:
@@ -105,14 +111,12 @@ std::string mcap_record(const McapSchema& schema) {
 }
 
 std::string mcap_record(const McapChannel& channel) {
-  Fields texts;
-  for (const auto& [name, text] : channel.metadata) texts.text(name).text(text);
   return mcap_record(McapOpcode::kChannel, Fields()
                                                .number(channel.id)
                                                .number(channel.schema_id)
                                                .text(channel.topic)
                                                .text(channel.message_encoding)
-                                               .text(texts.bytes())
+                                               .text(texts_bytes(channel.metadata))
                                                .bytes());
 }
 
@@ -163,6 +167,16 @@ std::string mcap_record(const McapChunkIndex& index) {
                                                   .bytes());
 }
 
+std::string mcap_record(const McapMetadata& metadata) {
+  return mcap_record(McapOpcode::kMetadata,
+                     Fields().text(metadata.name).text(texts_bytes(metadata.texts)).bytes());
+}
+
+std::string mcap_record(const McapMetadataIndex& index) {
+  return mcap_record(McapOpcode::kMetadataIndex,
+                     Fields().number(index.place).number(index.length).text(index.name).bytes());
+}
+
 std::string mcap_record(const McapStatistics& statistics) {
   Fields counts;
   std::uint64_t messages = 0;
@@ -170,13 +184,13 @@ std::string mcap_record(const McapStatistics& statistics) {
     counts.number(channel).number(count);
     messages += count;
   }
-  constexpr std::uint32_t kNone = 0;  // Attachments and metadata records.
+  constexpr std::uint32_t kAttachments = 0;
   return mcap_record(McapOpcode::kStatistics, Fields()
                                                   .number(messages)
                                                   .number(statistics.schemas)
                                                   .number(statistics.channels)
-                                                  .number(kNone)
-                                                  .number(kNone)
+                                                  .number(kAttachments)
+                                                  .number(statistics.metadata)
                                                   .number(statistics.chunks)
                                                   .number(statistics.start_time)
                                                   .number(statistics.end_time)
@@ -232,6 +246,14 @@ std::optional<McapChannel> parse_mcap_channel(std::string_view content) {
   channel.message_encoding = taker.text();
   channel.metadata = take_texts(taker);
   return if_fits(taker, std::move(channel));
+}
+
+std::optional<McapMetadata> parse_mcap_metadata(std::string_view content) {
+  Taker taker(content);
+  McapMetadata metadata;
+  metadata.name = taker.text();
+  metadata.texts = take_texts(taker);
+  return if_fits(taker, std::move(metadata));
 }
 
 std::optional<McapMessage> parse_mcap_message(std::string_view content) {

@@ -31,6 +31,8 @@ enum class McapOpcode : std::uint8_t {
   kMessageIndex = 0x07,
   kChunkIndex = 0x08,
   kStatistics = 0x0B,
+  kMetadata = 0x0C,
+  kMetadataIndex = 0x0D,
   kSummaryOffset = 0x0E,
   kDataEnd = 0x0F,
 };
@@ -92,6 +94,18 @@ struct McapChunkIndex {
   std::uint64_t unpacked_size = 0;
 };
 
+struct McapMetadata {
+  std::string name;
+  std::map<std::string, std::string> texts;
+};
+
+/// The position of a metadata record.
+struct McapMetadataIndex {
+  std::uint64_t place = 0;
+  std::uint64_t length = 0;
+  std::string name;
+};
+
 struct McapStatistics {
   std::uint16_t schemas = 0;
   std::uint32_t chunks = 0;
@@ -99,6 +113,7 @@ struct McapStatistics {
   std::uint64_t end_time = 0;
   std::map<std::uint16_t, std::uint64_t> messages;  ///< By channel.
   std::uint32_t channels = 0;
+  std::uint32_t metadata = 0;
 };
 
 /// The positions of the records of one kind in the summary.
@@ -123,6 +138,8 @@ std::string mcap_record(const McapMessage& message);
 std::string mcap_record(const McapChunk& chunk);
 std::string mcap_record(std::uint16_t channel, const McapMessageIndex& index);
 std::string mcap_record(const McapChunkIndex& index);
+std::string mcap_record(const McapMetadata& metadata);
+std::string mcap_record(const McapMetadataIndex& index);
 std::string mcap_record(const McapStatistics& statistics);
 std::string mcap_record(const McapSummaryOffset& offset);
 std::string mcap_record(const McapFooter& footer);
@@ -134,6 +151,7 @@ std::optional<McapSchema> parse_mcap_schema(std::string_view content);
 std::optional<McapChannel> parse_mcap_channel(std::string_view content);
 std::optional<McapMessage> parse_mcap_message(std::string_view content);
 std::optional<McapChunk> parse_mcap_chunk(std::string_view content);
+std::optional<McapMetadata> parse_mcap_metadata(std::string_view content);
 std::optional<McapFooter> parse_mcap_footer(std::string_view content);
 std::optional<std::uint32_t> parse_mcap_data_end(std::string_view content);
 

@@ -114,6 +114,15 @@ Result<void> McapWriter::add_before_another(const McapMessage& message) {
   return {};
 }
 
+Result<void> McapWriter::add(const McapMetadata& metadata) {
+  SOMATO_TRY_VOID(end_chunk());
+  const std::string bytes = mcap_record(metadata);
+  McapMetadataIndex index{place_, bytes.size(), metadata.name};
+  SOMATO_TRY_VOID(put(bytes));
+  metadata_.push_back(std::move(index));
+  return {};
+}
+
 std::string McapWriter::message_indexes(McapChunkIndex& index) const {
   std::string records;
   for (const auto& [channel, entries] : message_indexes_) {
@@ -155,11 +164,13 @@ std::string McapWriter::summary() const {
   statistics.schemas = static_cast<std::uint16_t>(schemas_.size());
   statistics.channels = static_cast<std::uint32_t>(channels_.size());
   statistics.chunks = static_cast<std::uint32_t>(chunks_.size());
+  statistics.metadata = static_cast<std::uint32_t>(metadata_.size());
   SummaryGroups groups(place_);
   groups.add(McapOpcode::kSchema, schemas_);
   groups.add(McapOpcode::kChannel, channels_);
   groups.add(McapOpcode::kStatistics, std::vector{statistics});
   groups.add(McapOpcode::kChunkIndex, chunks_);
+  groups.add(McapOpcode::kMetadataIndex, metadata_);
   const std::string bytes = groups.bytes();
   // The checksum covers the bytes before it.
   std::string footer = mcap_record(McapFooter{place_, groups.offsets_place(), 0});

@@ -45,6 +45,9 @@ class McapWriter {
   /// The same, but the chunk continues with the next message even if it is full.
   Result<void> add_before_another(const McapMessage& message);
 
+  /// Writes out what there is, and after it a record outside chunks. Errors: the sink's.
+  Result<void> add(const McapMetadata& metadata);
+
   bool chunk_is_empty() const { return messages_in_chunk_ == 0; }
   std::uint64_t latest_time() const { return latest_time_; }
 
@@ -81,6 +84,7 @@ class McapWriter {
   std::map<std::uint16_t, McapMessageIndex> message_indexes_;
 
   std::vector<McapChunkIndex> chunks_;
+  std::vector<McapMetadataIndex> metadata_;
   McapStatistics statistics_;
   std::uint64_t latest_time_ = 0;
 };

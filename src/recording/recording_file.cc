@@ -46,7 +46,12 @@ RecordingFile::~RecordingFile() = default;
 
 Result<RecordingFile> RecordingFile::begin(const std::string& path,
                                            const RecordingFileParameters& parameters) {
-  SOMATO_TRY(auto state, Impl::begin(operating_system(), path, parameters));
+  return begin(operating_system(), path, parameters);
+}
+
+Result<RecordingFile> RecordingFile::begin(FileSystem& files, const std::string& path,
+                                           const RecordingFileParameters& parameters) {
+  SOMATO_TRY(auto state, Impl::begin(files, path, parameters));
   return RecordingFile(std::move(state));
 }
 

@@ -39,6 +39,14 @@ bool fits(const ChannelDescription& description, std::size_t elements) {
 }  // namespace
 
 Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret(const McapMessage& message) {
+  Result<Meaning> meaning = interpret_any(message);
+  const bool is_left_out = meaning && *meaning != Meaning::kNothing && this->is_left_out();
+  if (is_left_out) *meaning = Meaning::kLeftOut;
+  return meaning;
+}
+
+Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_any(
+    const McapMessage& message) {
   SOMATO_TRY(Stream * stream, stream_of(message.channel_id));
   if (stream->explorations) return interpret_exploration(message.data);
   if (!stream->sources.empty()) return interpret_frames(*stream, message);
@@ -46,7 +54,7 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret(const Mcap
 }
 
 Result<void> RecordingInterpreter::finish() const {
-  if (!open_ || foreign_) return {};
+  if (!is_open() || foreign_) return {};
   return file_->bad(fmt::format("exploration {} has no end", exploration_.index + 1));
 }
 
@@ -147,6 +155,7 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::begin(ExplorationMes
                                                                   Meaning meaning) {
   open_ = false;
   exploration_ = std::move(message);
+  exploration_.labels = file_->notes().labels(exploration_.index, std::move(exploration_.labels));
   gap_ = false;
   SOMATO_TRY_VOID(open_channels());
   open_ = true;

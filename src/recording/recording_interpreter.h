@@ -32,7 +32,7 @@ struct InterpretedChannel {
 /// without explorations, all frames as one exploration.
 class RecordingInterpreter {
  public:
-  enum class Meaning { kNothing, kBegin, kContinue, kFrame, kEnd };
+  enum class Meaning { kNothing, kBegin, kContinue, kFrame, kEnd, kLeftOut };
 
   struct Frame {
     std::size_t channel = 0;          ///< In channels().
@@ -43,7 +43,8 @@ class RecordingInterpreter {
 
   explicit RecordingInterpreter(const McapReader& file) : file_(&file) {}
 
-  /// The interpretation of the latest message. A frame of a file without explorations may come
+  /// The interpretation of the latest message; kLeftOut within an exploration that does not belong
+  /// to the recording. A frame of a file without explorations may come
   /// without kBegin. Errors (kData, with file and position): invalid messages.
   Result<Meaning> interpret(const McapMessage& message);
 
@@ -55,10 +56,11 @@ class RecordingInterpreter {
   /// continues it.
   void after_gap() { gap_ = true; }
 
-  bool is_open() const { return open_; }
+  bool is_open() const { return open_ && !is_left_out(); }
   bool is_foreign() const { return foreign_; }
 
-  /// The begin message of the exploration that is open, or was open last.
+  /// The begin message of the exploration that is open, or was open last, with the labels that it
+  /// was given later.
   const ExplorationMessage& exploration() const { return exploration_; }
   const std::vector<InterpretedChannel>& channels() const { return channels_; }
 
@@ -80,6 +82,8 @@ class RecordingInterpreter {
     std::vector<Source> sources;
   };
 
+  bool is_left_out() const { return !foreign_ && file_->notes().is_left_out(exploration_.index); }
+  Result<Meaning> interpret_any(const McapMessage& message);
   Result<Stream*> stream_of(std::uint16_t id);
   Result<std::vector<Source>> sources_of(const McapSchema& schema, const McapChannel& channel);
   const TopicType& topic_of_schema(const McapSchema& schema, const std::string& message_encoding);

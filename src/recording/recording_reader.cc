@@ -133,6 +133,12 @@ Result<RecordingReader> RecordingReader::open(const std::string& path, std::size
   return RecordingReader(std::make_unique<Impl>(std::move(file), most_memory));
 }
 
+Result<RecordingReader> RecordingReader::open(FileSystem& files, const std::string& path) {
+  SOMATO_TRY(McapReader file, McapReader::open(files, path));
+  return RecordingReader(
+      std::make_unique<Impl>(std::move(file), std::numeric_limits<std::size_t>::max()));
+}
+
 Result<std::optional<Exploration>> RecordingReader::next() {
   return impl_->next();
 }

@@ -21,6 +21,13 @@ constexpr std::size_t kLargestChunkSize = std::size_t{1} << 22;
 constexpr double kShortestWait = 0.001;
 constexpr double kLongestWait = 3600.0;
 
+void check_parameters(const RecordingFileParameters& parameters) {
+  require(parameters.chunk_size >= 1 && parameters.chunk_size <= kLargestChunkSize,
+          "the size of a chunk is between 1 byte and 4 MiB");
+  require(parameters.flush_after >= kShortestWait && parameters.flush_after <= kLongestWait,
+          "a chunk is written after 0.001 to 3600 s");
+}
+
 }  // namespace
 
 const std::vector<std::pair<Compression, std::string>>& Choices<Compression>::all() {
@@ -76,6 +83,31 @@ class RecordingWriter::Impl {
     Result<void> written = write(frames_);
     remember_age();
     return written;
+  }
+
+  // Runs `write` whether an exploration is open or not.
+  template <typename Write>
+  Result<void> with_any(const Write& write) {
+    const std::scoped_lock guard(mutex_);
+    require(!closed_, "the recording is closed");
+    Result<void> written = write(frames_);
+    remember_age();
+    return written;
+  }
+
+  template <typename Look>
+  auto look(const Look& look) {
+    const std::scoped_lock guard(mutex_);
+    return look(frames_);
+  }
+
+  Result<void> synchronize() {
+    return with_any([&](FrameWriter& frames) -> Result<void> {
+      SOMATO_TRY_VOID(frames.end_chunk());
+      const Outcome<void> flushed = file_.flush();
+      if (!flushed) return system_failure("cannot write", path_, flushed.error());
+      return {};
+    });
   }
 
   Result<void> close() {
@@ -140,13 +172,16 @@ RecordingWriter::~RecordingWriter() = default;
 
 Result<RecordingWriter> RecordingWriter::create(FileSystem& files, const std::string& path,
                                                 const RecordingFileParameters& parameters) {
-  require(parameters.chunk_size >= 1 && parameters.chunk_size <= kLargestChunkSize,
-          "the size of a chunk is between 1 byte and 4 MiB");
-  require(parameters.flush_after >= kShortestWait && parameters.flush_after <= kLongestWait,
-          "a chunk is written after 0.001 to 3600 s");
+  check_parameters(parameters);
   Outcome<OpenFile> file = OpenFile::open(files, path, Opening::kCreate);
   if (!file) return system_failure("cannot create", path, file.error());
-  RecordingWriter writer(std::make_unique<Impl>(std::move(*file), path, parameters));
+  return write_into(std::move(*file), path, parameters);
+}
+
+Result<RecordingWriter> RecordingWriter::write_into(OpenFile file, const std::string& path,
+                                                    const RecordingFileParameters& parameters) {
+  check_parameters(parameters);
+  RecordingWriter writer(std::make_unique<Impl>(std::move(file), path, parameters));
   Result<void> begun =
       writer.impl_->with(false, [](FrameWriter& frames) { return frames.begin_file(); });
   if (!begun) return fail(std::move(begun.error()));
@@ -170,6 +205,26 @@ Result<void> RecordingWriter::frame(std::size_t channel, std::span<const float> 
 
 Result<void> RecordingWriter::end_exploration() {
   return impl_->with(true, [](FrameWriter& frames) { return frames.end_exploration(); });
+}
+
+bool RecordingWriter::is_open() const {
+  return impl_->look([](const FrameWriter& frames) { return frames.is_open(); });
+}
+
+std::uint64_t RecordingWriter::explorations() const {
+  return impl_->look([](const FrameWriter& frames) { return frames.explorations(); });
+}
+
+Result<void> RecordingWriter::label(std::uint64_t exploration, const Label& label) {
+  return impl_->with_any([&](FrameWriter& frames) { return frames.label(exploration, label); });
+}
+
+Result<void> RecordingWriter::leave_out(std::uint64_t exploration) {
+  return impl_->with_any([&](FrameWriter& frames) { return frames.leave_out(exploration); });
+}
+
+Result<void> RecordingWriter::synchronize() {
+  return impl_->synchronize();
 }
 
 Result<void> RecordingWriter::close() {

@@ -103,7 +103,7 @@ class Recovery {
 
   Result<void> write(Meaning meaning, const McapMessage& message) {
     if (meaning == Meaning::kBegin) return begin(message);
-    if (meaning == Meaning::kContinue) return {};
+    if (meaning == Meaning::kContinue || meaning == Meaning::kLeftOut) return {};
     if (meaning == Meaning::kEnd) return end(true);
     McapMessage copy = message;
     SOMATO_TRY(const std::uint16_t id, id_of(message.channel_id));
@@ -121,9 +121,10 @@ class Recovery {
       SOMATO_TRY(const std::uint16_t id, id_of(announced->id));
       ids.push_back(id);
     }
-    ++report_.explorations;
     complete_ = meanings_.exploration().event == ExplorationMessage::Event::kBegin;
-    return log_.begin(meanings_.exploration(), std::move(ids), message.log_time);
+    ExplorationMessage begun = meanings_.exploration();
+    begun.index = report_.explorations++;
+    return log_.begin(std::move(begun), std::move(ids), message.log_time);
   }
 
   Result<void> end(bool has_end) {

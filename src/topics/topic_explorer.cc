@@ -36,6 +36,10 @@ Result<void> TopicExplorer::start() {
   return {};
 }
 
+std::vector<Label> TopicExplorer::labels(std::size_t thing, std::size_t trial) const {
+  return {{"object", things().at(thing).name}, {"trial", fmt::format("{}", trial + 1)}};
+}
+
 Result<Exploration> TopicExplorer::explore_thing(std::size_t thing, std::size_t trial,
                                                  const ExploreOptions& options) {
   if (!body_) {
@@ -58,7 +62,7 @@ Result<Exploration> TopicExplorer::explore_thing(std::size_t thing, std::size_t 
   body_->observe({});
   if (exploring_.on_end) exploring_.on_end(body_->times(), client_->state().dropped);
   if (explored) {
-    explored->labels = {{"object", things()[thing].name}, {"trial", fmt::format("{}", trial + 1)}};
+    explored->labels = labels(thing, trial);
   } else if (explored.error().kind != ErrorKind::kInterrupted) {
     body_.reset();
     client_.reset();

@@ -11,6 +11,7 @@
 #include "live/view_systems.h"
 #include "live/viewing.h"
 #include "somato/recording/recording_file.h"
+#include "somato/recording/recover_recording.h"
 #include "support/http_client.h"
 #include "support/temporary_folder.h"
 
@@ -69,12 +70,10 @@ TEST_F(DownloadsThread, NeedATokenAndSomethingToSave) {
 
 // A name that is given while a body explores is that of the exploration; it is saved with it.
 TEST_F(DownloadsThread, NameWhatABodyExplores) {
-  Recording saved;
+  const TemporaryFolder folder;
+  const auto file = GrowingRecording::begin(folder.file("session.mcap")).value();
   ViewSource source = testing::body_source(200);
-  source.sink = [&](Exploration&& exploration) -> Result<void> {
-    saved.explorations.push_back(std::move(exploration));
-    return {};
-  };
+  source.file = file.get();
   ViewSession session(std::move(source), {false, 1.0, 0.0});
   session.start();
   ASSERT_TRUE(eventually([&] { return state_of(session)["live"] == true; }));
@@ -85,23 +84,34 @@ TEST_F(DownloadsThread, NameWhatABodyExplores) {
   ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
   EXPECT_EQ(state_of(session)["explorations"][0]["labels"]["object"], "apple");
   command(session, R"({"command":"name","label":"object","value":"pear"})");
+  EXPECT_EQ(state_of(session)["saved"],
+            nlohmann::json::parse(R"({"file":"session.mcap","explorations":1})"));
   session.stop();
+  ASSERT_TRUE(file->finish());
+  const Recording saved = read_recording(folder.file("session.mcap")).value();
   ASSERT_EQ(saved.explorations.size(), 1U);
   EXPECT_EQ(saved.explorations[0].labels, (std::vector<Label>{{"object", "pear"}}));
 }
 
-TEST_F(DownloadsThread, KeepTheNamesOfTheFileThatIsWrittenMeanwhile) {
+// A name that is given late is that of the file, too.
+TEST_F(DownloadsThread, NameWhatIsSavedAlready) {
+  const TemporaryFolder folder;
+  const auto file = GrowingRecording::begin(folder.file("session.mcap")).value();
   ViewSource source = testing::body_source();
-  source.sink = [](Exploration&&) -> Result<void> { return {}; };
+  source.file = file.get();
   ViewSession session(std::move(source), testing::at_once());
   session.start();
   ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 1; }));
   command(session, R"({"command":"explore"})");
   ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() == 2; }));
   command(session, R"({"command":"seek","exploration":0,"frame":0})");
-  const auto refused = session.command(R"({"command":"name","label":"object","value":"pear"})");
-  ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().what.find("saved already"), std::string::npos);
+  command(session, R"({"command":"name","label":"object","value":"pear"})");
+  const std::string out = folder.file("recovered");
+  ASSERT_TRUE(recover_recording(folder.file("session.mcap.partial"), out));
+  const Recording recovered = read_recording(out).value();
+  ASSERT_EQ(recovered.explorations.size(), 2U);
+  EXPECT_EQ(recovered.explorations[0].labels[0].value, "pear");
+  EXPECT_NE(recovered.explorations[1].labels[0].value, "pear");
 }
 
 }  // namespace

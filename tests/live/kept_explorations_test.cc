@@ -2,10 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "live/viewing.h"
+#include "somato/recording/recording_file.h"
+#include "support/failing_file_system.h"
+#include "support/temporary_folder.h"
 
 namespace somato::live {
 namespace {
@@ -13,58 +18,69 @@ namespace {
 // Two explorations of a hand, of which the view begins with the first.
 class KeptExplorationsTest : public ::testing::Test {
  protected:
+  TemporaryFolder folder_;
+  std::string path_ = folder_.file("session.mcap");
   Recording recording_ = testing::hand_source(2).recording;
   Exploration second_ = recording_.explorations.back();
-  std::vector<Exploration> saved_;
-  ExplorationSink sink_ = [this](Exploration exploration) -> Result<void> {
-    saved_.push_back(std::move(exploration));
-    return {};
-  };
+  std::unique_ptr<GrowingRecording> file_ = GrowingRecording::begin(path_).value();
 
   void SetUp() override { recording_.explorations.pop_back(); }
+
+  std::vector<Exploration> saved() {
+    EXPECT_TRUE(file_->finish());
+    return read_recording(path_).value().explorations;
+  }
 };
 
 TEST_F(KeptExplorationsTest, SavesWhatIsAddedWithTheGivenLabels) {
-  KeptExplorations kept(recording_, sink_);
+  KeptExplorations kept(recording_, file_.get());
+  ASSERT_TRUE(kept.name(1, {"object", "cup"})) << "while it takes place";
   ASSERT_TRUE(kept.add(second_, nullptr));
+  ASSERT_TRUE(kept.save_last());
   EXPECT_EQ(kept.count(), 2U);
   EXPECT_EQ(kept.scene(1), nullptr);
-  ASSERT_TRUE(kept.name(1, {"object", "cup"}));
-  ASSERT_TRUE(kept.save_before(2));
-  ASSERT_EQ(saved_.size(), 1U);
-  EXPECT_EQ(saved_[0].labels[0].value, "cup");
-  EXPECT_EQ(saved_[0].channels, second_.channels);
-  EXPECT_FALSE(kept.name(1, {"object", "bowl"})) << "it is saved";
+  ASSERT_TRUE(kept.add(second_, nullptr));
+  ASSERT_TRUE(kept.save_last());
+  ASSERT_TRUE(kept.name(1, {"object", "bowl"})) << "though it is saved";
+  EXPECT_FALSE(kept.name(0, {"object", "bowl"})) << "it is in another file";
+  const auto saved = this->saved();
+  ASSERT_EQ(saved.size(), 2U);
+  EXPECT_EQ(saved[0].labels[0].value, "bowl");
+  EXPECT_EQ(saved[0].channels, second_.channels);
+  EXPECT_EQ(saved[1].labels, second_.labels);
 }
 
 TEST_F(KeptExplorationsTest, RefusesOneThatIsUnlikeTheOthers) {
-  KeptExplorations kept(recording_, sink_);
+  KeptExplorations kept(recording_, file_.get());
   ASSERT_TRUE(kept.name(1, {"object", "cup"}));
-  second_.channels.pop_back();
-  EXPECT_FALSE(kept.add(second_, nullptr));
+  Exploration other = second_;
+  other.channels.pop_back();
+  EXPECT_FALSE(kept.add(other, nullptr));
   EXPECT_EQ(kept.count(), 1U);
   EXPECT_TRUE(kept.names().empty()) << "its labels are forgotten";
+  ASSERT_TRUE(kept.add(second_, nullptr));
+  ASSERT_TRUE(kept.save_last());
+  EXPECT_EQ(saved()[0].labels, second_.labels);
 }
 
-TEST_F(KeptExplorationsTest, SavesTheOthersThoughOneFails) {
-  const ExplorationSink sink = [this](Exploration exploration) -> Result<void> {
-    saved_.push_back(std::move(exploration));
-    if (saved_.size() == 1) return fail(ErrorKind::kSystem, "the disk is full");
-    return {};
-  };
-  KeptExplorations kept(recording_, sink);
+// The numbers of explorations and those in the file are no longer the same then.
+TEST_F(KeptExplorationsTest, GoesOnThoughTheDiskIsFull) {
+  testing::FailingFileSystem files(12, ENOSPC);
+  const auto full = GrowingRecording::begin(files, folder_.file("full.mcap")).value();
+  KeptExplorations kept(recording_, full.get());
   ASSERT_TRUE(kept.add(second_, nullptr));
-  ASSERT_TRUE(kept.add(second_, nullptr));
-  EXPECT_FALSE(kept.save_before(3));
-  EXPECT_EQ(saved_.size(), 2U);
-  EXPECT_TRUE(kept.save_before(3));
+  while (kept.save_last()) ASSERT_TRUE(kept.add(second_, nullptr));
+  EXPECT_TRUE(files.failed());
+  EXPECT_FALSE(kept.name(kept.count() - 1, {"object", "cup"}));
+  EXPECT_FALSE(kept.name(1, {"object", "cup"})) << "nothing can be written";
 }
 
-TEST_F(KeptExplorationsTest, SavesNothingWithoutASink) {
-  const ExplorationSink none;
-  KeptExplorations kept(recording_, none);
+TEST_F(KeptExplorationsTest, SavesNothingWithoutAFile) {
+  KeptExplorations kept(recording_, nullptr);
+  kept.begin_next({}, {});
+  EXPECT_TRUE(kept.append_to_next({}));
   ASSERT_TRUE(kept.add(second_, nullptr));
-  EXPECT_TRUE(kept.save_before(2));
+  EXPECT_TRUE(kept.save_last());
   EXPECT_TRUE(kept.name(0, {"object", "cup"}));
 }
 

@@ -130,6 +130,34 @@ TEST(McapConformance, TheOfficialReadersReadWhatSomatoWrites) {
   }
 }
 
+TEST(McapConformance, TheOfficialReadersFindTheLabelsThatAreGivenLater) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.mcap");
+  auto writer = RecordingWriter::create(path).value();
+  ExplorationStart start;
+  start.channels.resize(1);
+  start.channels[0].name = "touch";
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(writer.begin_exploration(start));
+    ASSERT_TRUE(writer.frame(0, std::vector<float>{1.0F}, 0.0));
+    ASSERT_TRUE(writer.label(0, {"object", i == 0 ? "mug" : "cup"})) << "within an exploration";
+    ASSERT_TRUE(writer.frame(0, std::vector<float>{2.0F}, 0.5));
+    ASSERT_TRUE(writer.end_exploration());
+  }
+  ASSERT_TRUE(writer.leave_out(1));
+  ASSERT_TRUE(writer.close());
+  const Json indexed = Json::parse(run_script({"read.mjs", path}))["indexed"];
+  EXPECT_EQ(indexed["metadata"], Json::parse(R"([
+    ["somato.label", {"exploration": "0", "name": "object", "value": "mug"}],
+    ["somato.label", {"exploration": "0", "name": "object", "value": "cup"}],
+    ["somato.left_out", {"exploration": "1"}]])"));
+  EXPECT_EQ(indexed["statistics"]["metadata"], 3);
+  EXPECT_EQ(indexed["summaryOffsets"], 5);
+  std::size_t frames = 0;
+  for (const Json& message : indexed["messages"]) frames += message["topic"] == "/touch" ? 1 : 0;
+  EXPECT_EQ(frames, 4U);
+}
+
 TEST(McapConformance, SomatoReadsItsLayoutFromTheOfficialWriter) {
   const TemporaryFolder folder;
   for (const std::string compression : {"none", "lz4", "zstd", "unchunked"}) {

@@ -95,13 +95,18 @@ async function indexed(path) {
   for await (const message of reader.readMessages({ validateCrcs: true })) {
     messages.push(plain(message, reader.channelsById, reader.schemasById));
   }
+  const metadata = [];
+  for await (const record of reader.readMetadata()) {
+    metadata.push([record.name, Object.fromEntries(record.metadata)]);
+  }
   await file.close();
   const { statistics } = reader;
-  return { messages, profile: reader.header.profile, chunks: reader.chunkIndexes.length,
+  return { messages, metadata, profile: reader.header.profile, chunks: reader.chunkIndexes.length,
            compressions: [...new Set(reader.chunkIndexes.map((index) => index.compression))],
            summaryOffsets: reader.summaryOffsetsByOpcode.size,
            statistics: { messages: Number(statistics.messageCount), chunks: statistics.chunkCount,
                          schemas: statistics.schemaCount, channels: statistics.channelCount,
+                         metadata: statistics.metadataCount,
                          start: String(statistics.messageStartTime),
                          end: String(statistics.messageEndTime) } };
 }

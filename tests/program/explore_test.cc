@@ -154,7 +154,7 @@ TEST_F(Explore, CtrlCLeavesAWholeFileOfWhatWasExplored) {
   words[8] = "200";
   const ProgramRun interrupted = run(words, world);
   EXPECT_EQ(interrupted.exit_code, 130);
-  EXPECT_NE(interrupted.err.find("are recorded"), std::string::npos) << interrupted.err;
+  EXPECT_NE(interrupted.err.find(" saved in out.mcap"), std::string::npos) << interrupted.err;
   const std::size_t explorations = recorded().explorations.size();
   EXPECT_GT(explorations, 0U);
   EXPECT_LT(explorations, 400U);

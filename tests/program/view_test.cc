@@ -123,7 +123,7 @@ TEST_F(View, SavesWhatABodyExplores) {
   world.before_interrupt = explore_while_viewed;
   const ProgramRun done = run(words, world);
   EXPECT_EQ(done.exit_code, 0) << done.err;
-  EXPECT_NE(done.out.find("live.mcap: 1 exploration\n"), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("1 exploration saved in live.mcap\n"), std::string::npos) << done.out;
   const auto live = read_recording(path("live.mcap"));
   ASSERT_TRUE(live);
   ASSERT_EQ(live->explorations.size(), 1U);

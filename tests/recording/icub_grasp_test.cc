@@ -32,7 +32,7 @@ std::string step_of(int more = 0) {
   return text;
 }
 
-class ImportIcubGrasp : public testing::Test {
+class ImportIcubGrasp : public ::testing::Test {
  protected:
   ImportIcubGrasp() { fs::create_directories(folder_); }
   ~ImportIcubGrasp() override { fs::remove_all(folder_); }
@@ -57,7 +57,7 @@ class ImportIcubGrasp : public testing::Test {
   const fs::path folder_ =
       fs::temp_directory_path() /
       fmt::format("somato_{}_{}", getpid(),
-                  testing::UnitTest::GetInstance()->current_test_info()->name());
+                  ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 std::vector<std::string> sources_of(const Recording& recording) {

@@ -59,6 +59,10 @@ class FailingFileSystem final : public FileSystem {
     if (fails()) return tl::unexpected<int>(error_);
     return flushes ? real_.flush(file) : Outcome<void>();
   }
+  Outcome<void> lock(int file) override {
+    if (fails()) return tl::unexpected<int>(error_);
+    return real_.lock(file);
+  }
   // As on Linux, a failing close has closed the file.
   Outcome<void> close(int file) override {
     --opened_;

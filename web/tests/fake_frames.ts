@@ -255,6 +255,7 @@ export function fakeState(): State {
     taught: [],
     training: false,
     demonstrated: null,
+    saved: null,
     clients: 1,
     awaits_start: false,
     problem: null,

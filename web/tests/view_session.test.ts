@@ -35,6 +35,16 @@ it("saves the recording and the system of a session", async () => {
   }
 });
 
+it("shows what is saved on the disk", async () => {
+  await view.open();
+  const saved = view.page.locator(".session-saved");
+  expect(await saved.textContent()).toBe("");
+  view.server.change({ saved: { file: "hand.mcap", explorations: 1 } });
+  await soon(() => saved.textContent()).toBe("1 exploration saved in hand.mcap");
+  view.server.change({ saved: { file: "hand.mcap", explorations: 4 } });
+  await soon(() => saved.textContent()).toBe("4 explorations saved in hand.mcap");
+});
+
 it("invites after a round of a demonstration, until it is closed", async () => {
   await view.open({ ...bodyState(), demonstrated: 0 });
   const invitation = view.page.getByRole("complementary", { name: "Invitation" });

@@ -69,6 +69,9 @@ class Explorer {
   /// A person lets the body move again after a fault.
   virtual void resume() {}
 
+  /// The labels of an exploration of a thing in a trial, both counting from 0.
+  virtual std::vector<Label> labels(std::size_t thing, std::size_t trial) const;
+
   /// Explores a thing (counting from 0), as trial number `trial` (from 0). Throws InvalidArgument
   /// for an unknown thing. Errors name the thing: failures of the exploration; those of the
   /// observer. There is no exploration then.

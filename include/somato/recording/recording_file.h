@@ -57,6 +57,10 @@ class RecordingFile final : public FrameSink {
   /// Completes the file; no exploration is open. Errors: kSystem with the system's reason.
   Result<void> finish();
 
+  /// The same as begin() on the given file system, for tests.
+  static Result<RecordingFile> begin(FileSystem& files, const std::string& path,
+                                     const RecordingFileParameters& parameters = {});
+
   class Impl;
 
  private:
@@ -84,6 +88,9 @@ class RecordingReader {
   RecordingReader& operator=(const RecordingReader&) = delete;
   RecordingReader& operator=(RecordingReader&& other) noexcept;
   ~RecordingReader();
+
+  /// The same on the given file system, for tests.
+  static Result<RecordingReader> open(FileSystem& files, const std::string& path);
 
   /// The next exploration; nothing after the last one of a complete file. Errors: kSystem with the
   /// system's reason and for too much memory; kData with file and byte for damage, for invalid

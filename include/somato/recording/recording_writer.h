@@ -15,6 +15,7 @@
 namespace somato {
 
 class FileSystem;
+class OpenFile;
 
 /// Compression of the chunks of a recording file.
 enum class Compression {
@@ -39,8 +40,8 @@ struct RecordingFileParameters {
 
 /// Writes a recording live: an MCAP file as described in docs/formats/recording.md, in chunks that
 /// are written when they are full or their oldest message is `flush_after` old, independent of
-/// further calls. If the program is killed, no more than that is lost (a power failure may lose
-/// more); recover_recording() reads the incomplete file.
+/// further calls. If the program is killed, no more than that is lost; of a power failure, what was
+/// written since synchronize(). recover_recording() reads the incomplete file.
 ///
 /// Can be used by several threads. After a system error every call returns that error, and nothing
 /// more is written.
@@ -78,6 +79,23 @@ class RecordingWriter final : public FrameSink {
   /// Throws InvalidArgument if none is open. Errors: kSystem with the system's reason.
   Result<void> end_exploration() override;
 
+  /// Whether an exploration is open.
+  bool is_open() const;
+
+  /// The number of explorations that have begun.
+  std::uint64_t explorations() const;
+
+  /// Gives an exploration, counting from 0 as they began, a label in place of one of the same name;
+  /// it may have ended. The last one counts. Throws InvalidArgument if it has not begun. Errors:
+  /// kData for a text that is not UTF-8 or too long; kSystem with the system's reason.
+  Result<void> label(std::uint64_t exploration, const Label& label);
+
+  /// Readers leave the exploration out, which may have ended. Throws and errors: as label().
+  Result<void> leave_out(std::uint64_t exploration);
+
+  /// Returns when all that was added is on the disk. Errors: kSystem with the system's reason.
+  Result<void> synchronize();
+
   /// Completes the file and flushes it to the disk; throws InvalidArgument if an exploration is
   /// open or the file is already closed. Errors: kSystem with the system's reason.
   Result<void> close();
@@ -85,6 +103,11 @@ class RecordingWriter final : public FrameSink {
   /// The same on the given file system, for tests.
   static Result<RecordingWriter> create(FileSystem& files, const std::string& path,
                                         const RecordingFileParameters& parameters);
+
+  /// Writes into an open file, which is empty or holds only the begin of a recording; `path` is for
+  /// messages.
+  static Result<RecordingWriter> write_into(OpenFile file, const std::string& path,
+                                            const RecordingFileParameters& parameters);
 
  private:
   class Impl;

@@ -110,6 +110,8 @@ export interface State {
   training: boolean;
   /** The number of complete rounds of a demonstration, or null. */
   demonstrated: number | null;
+  /** The file of this session; null if its explorations are not saved. */
+  saved: SavedFile | null;
   /** Number of connected viewers. */
   clients: number;
   /**
@@ -118,6 +120,14 @@ export interface State {
   awaits_start: boolean;
   /** A sentence: the last error. */
   problem: string | null;
+}
+
+/** The recording of a session, which is complete when the session ends. */
+export interface SavedFile {
+  /** Its name. */
+  file: string;
+  /** The number of explorations that are saved. */
+  explorations: number;
 }
 
 /** An exploration of the recording or the body. */

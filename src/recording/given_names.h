@@ -9,7 +9,7 @@
 
 #include "somato/recording/recording.h"
 
-namespace somato::live {
+namespace somato {
 
 /// Labels that viewers gave to explorations, such as the name of what was touched. They stand
 /// beside the recording, which other threads may read.
@@ -38,4 +38,4 @@ class GivenNames {
   std::map<std::size_t, std::map<std::string, std::string>> given_;
 };
 
-}  // namespace somato::live
+}  // namespace somato

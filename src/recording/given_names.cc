@@ -1,9 +1,9 @@
-#include "live/given_names.h"
+#include "recording/given_names.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace somato::live {
+namespace somato {
 namespace {
 
 Label& find_or_add(std::vector<Label>& labels, const std::string& name) {
@@ -44,4 +44,4 @@ Recording GivenNames::apply(const Recording& recording) const {
   return named;
 }
 
-}  // namespace somato::live
+}  // namespace somato

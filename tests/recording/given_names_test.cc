@@ -1,4 +1,4 @@
-#include "live/given_names.h"
+#include "recording/given_names.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,6 @@
 
 namespace somato {
 namespace {
-
-using live::GivenNames;
 
 TEST(GivenNames, ReplaceTheLabelOfOneExploration) {
   GivenNames names;
