@@ -15,7 +15,8 @@
 namespace somato::wire {
 namespace {
 
-// The emulator's side: answers so many requests with the times that `answer` gives, and ends in join().
+// The emulator's side: answers so many requests with the times that `answer` gives, and ends in
+// join().
 class Emulator {
  public:
   Emulator() : port_(LineClockPort::open().value()) {}
