@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "emulation/emulated_wire.h"
+
 namespace somato::emulation {
 namespace {
 
