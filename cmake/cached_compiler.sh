@@ -22,7 +22,7 @@ value_after() {
 }
 
 headers_in() {
-  sed 's/^[^:]*://' "$1" | tr -d '\\' | tr -s ' ' '\n' | sed '/^$/d' | sort -u
+  sed 's/^[^:]*://; s/\\$//' "$1" | tr -s ' ' '\n' | sed '/^$/d' | sort -u
 }
 
 if is_header "$@"; then

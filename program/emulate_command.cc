@@ -181,10 +181,8 @@ Command emulate_command() {
        {"--seed", "Seed of placement and noise. Default: 1"},
        {"--clock",
         "Seconds of the emulation per second, or 'host': time passes only while a program waits "
-        "for "
-        "the device, as fast as possible, and nothing depends on the speed of the machine. "
-        "Default: "
-        "1"},
+        "for the device, as fast as possible, and nothing depends on the speed of the machine. "
+        "Default: 1"},
        output_flag("-o,--output", "Device file that is written, with the ports of the emulator",
                    true)},
       {},

@@ -37,7 +37,8 @@ std::string parameter_table(const std::vector<ParameterInfo>& parameters) {
   std::string page = "| key | values | default | meaning |\n|---|---|---|---|\n";
   for (const ParameterInfo& info : parameters) {
     fmt::format_to(std::back_inserter(page), "| `{}` | {} | `{}` | {} |\n", info.name,
-                   markdown_cell(permitted_values(info)), info.default_text, markdown_cell(info.text));
+                   markdown_cell(permitted_values(info)), info.default_text,
+                   markdown_cell(info.text));
   }
   return page;
 }

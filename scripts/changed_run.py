@@ -55,7 +55,7 @@ def without_documents(command):
     words = iter(command)
     kept = []
     for word in words:
-        if word in ("--only", "--without", "--scratch"):
+        if word in ("--only", "--without", "--scratch", "--share"):
             next(words)
         else:
             kept.append(word)

@@ -23,9 +23,10 @@ UNBOUNDED = re.compile(
     r"|scripts/(?:packages|mujoco)\.txt")
 # What a changed file reaches beyond includes: the first pattern that matches. Rooms, or single tests.
 REACHED = [
-    (r"web/tests/(\w+)\.test\.ts", [r"web.\1"]),
-    (r"web/src/(report|view)/.*", ["web.unit", r"web.\1*"]),
-    (r"web/schema/.*", ["report", "live", "web.unit"]),
+    (r"web/tests/parts/.*", ["web.unit", "web.types"]),
+    (r"web/tests/(report|view)\w*\.test\.ts", [r"web.\1", "web.types"]),
+    (r"web/src/(report|view)/.*", ["web.unit", "web.types", r"web.\1"]),
+    (r"web/schema/.*", ["report", "live", "web.unit", "web.types"]),
     (r"web/.*", ["web.*"]),
     (r"docs/notebooks/.*", ["python"]),
     (r"python/.*", ["python"]),

@@ -10,13 +10,10 @@
   and build/release/somato; `somato` is on the path.
 - `<!-- test: skip REASON -->` before a block skips it; REASONS defines the permitted blocks. Data of
   others are a `--data FOLDER` or a quoted variable, such as "$FCPS".
-- `<!-- test: OLD is NEW -->` before a block runs it with NEW instead of OLD, which differ only by smaller SIZES,
-  such as `--seeds`; what it prints is not compared then. With --full, only documents with such blocks run, and
-  these blocks as they are.
 - `<!-- test: made FILE -->` before a picture names the file of that folder with the same bytes.
 
 usage: run_doc_blocks.py --source DIR --scratch DIR [--program FILE] [--compiler CXX] [--link FILE]...
-                         [--python FILE] [--only DOCUMENT | --without DOCUMENT] [--share I/N] [--full]
+                         [--python FILE] [--only DOCUMENT | --without DOCUMENT] [--share I/N]
 """
 
 import argparse
@@ -27,7 +24,7 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 # Permitted reasons for skipping a block, and the required form of each of its lines.
@@ -36,13 +33,10 @@ REASONS = {
     "needs docker": r"(#.*|docker .*)",
     "needs data of others": r"(#.*|.*--data .*|.*\"\$[A-Z]+\".*|.*\\|  .*)",
 }
-# Numbers of repetitions, which a test may lower.
-SIZES = re.compile(r"\s*(?:--)?\b(explorations|folds|seeds|pairs|recordings)(?:\s*=\s*|\s+)(\d+)")
 TIMEOUT = 600  # seconds for a command
 FENCE = re.compile(
-    r"^(?:<!-- test: skip (?P<reason>[^\n]*?) -->\n+)?(?P<changes>(?:<!-- test: [^\n]* is [^\n]* -->\n+)*)"
+    r"^(?:<!-- test: skip (?P<reason>[^\n]*?) -->\n+)?"
     r"```(?P<kind>sh|bash|console|cpp|python)\n(?P<text>.*?)^```$", re.MULTILINE | re.DOTALL)
-CHANGE = re.compile(r"<!-- test: (.*) is (.*) -->")
 MADE = re.compile(r"^<!-- test: made (?P<file>\S+) -->\n+!\[[^\n]*\]\((?P<picture>[^)]+)\)$",
                   re.MULTILINE)
 
@@ -67,15 +61,13 @@ class Block:
     kind: str
     text: str
     skip_reason: str | None
-    changes: tuple = ()  # pairs of what is replaced and what replaces it
 
 
 def blocks_of(text, name):
     found = []
     for match in FENCE.finditer(text):
         line = text.count("\n", 0, match.start("text"))
-        found.append(Block(f"{name}:{line}", match["kind"], match["text"], match["reason"],
-                           tuple(CHANGE.findall(match["changes"]))))
+        found.append(Block(f"{name}:{line}", match["kind"], match["text"], match["reason"]))
     return found
 
 
@@ -90,26 +82,6 @@ def check_skip(block):
         if not re.fullmatch(pattern, line):
             raise Failure(f"'{line}' cannot be skipped with the reason: {block.skip_reason}")
     return True
-
-
-def shortened(block):
-    """The block with fewer repetitions; raises Failure if more than their number would change."""
-    text = block.text
-    for old, new in block.changes:
-        if old not in text:
-            raise Failure(f"'{old}' is not in the block; correct or remove the line before it")
-        if not is_shorter(old, new):
-            raise Failure(f"'{new}' differs from '{old}' by more than fewer repetitions")
-        text = text.replace(old, new)
-    return replace(block, text=text)
-
-
-def is_shorter(old, new):
-    """Whether the texts differ only by sizes, of which `new` has all that `old` has, and none is greater."""
-    sizes, fewer = (dict(SIZES.findall(text)) for text in (old, new))
-    same_words = SIZES.sub("", old).split() == SIZES.sub("", new).split()
-    return same_words and sizes != fewer and all(
-        name in fewer and int(fewer[name]) <= int(number) for name, number in sizes.items())
 
 
 def commands_of(text):
@@ -202,7 +174,7 @@ class Runner:
     def run_console(self, block):
         for command, shown in commands_of(block.text):
             printed = self.run_command(shell(command))
-            if any(shown) and not block.changes and not re.fullmatch(pattern_of(shown), printed.rstrip("\n") + "\n"):
+            if any(shown) and not re.fullmatch(pattern_of(shown), printed.rstrip("\n") + "\n"):
                 raise Failure(f"$ {command}\nprints:\n{printed}instead of:\n" + "\n".join(shown))
 
     def search_paths(self):
@@ -254,8 +226,7 @@ def passes(runner, block):
         if check_skip(block):
             print(f"skipped {block.where}: {block.skip_reason}", flush=True)
             return True
-        shorter = shortened(block)
-        runner.run(replace(block, changes=()) if runner.options.full else shorter)
+        runner.run(block)
     except (Failure, subprocess.TimeoutExpired) as failure:
         print(f"FAILED  {block.where}: {failure}", flush=True)
         return False
@@ -301,8 +272,7 @@ def documents_of(options):
     if named and options.source / named not in documents:
         sys.exit(f"{named} is no document of {options.source}")
     chosen = [document for document in documents
-              if (not named or (document == options.source / named) == bool(options.only))
-              and (not options.full or any(block.changes for block in blocks_in(options, document)))]
+              if not named or (document == options.source / named) == bool(options.only)]
     return share_of(options, chosen)
 
 
@@ -331,7 +301,6 @@ def main(arguments=None):
     chosen = parser.add_mutually_exclusive_group()
     chosen.add_argument("--only", help="the only document to run, relative to --source")
     chosen.add_argument("--without", help="the only document not to run")
-    parser.add_argument("--full", action="store_true", help="run all repetitions of the documents whose tests have fewer")
     parser.add_argument("--share", type=share, default=(1, 1), help="run only the I-th of N shares of the documents")
     options = parser.parse_args(arguments)
     options.source = options.source.resolve()

@@ -52,9 +52,13 @@ OUTPUT_DIRECTORY = "{folder}"
 
 
 def generate(environment, build, doxygen, folder):
-    run(environment / "bin/python", "-m", "sphinx", "--fresh-env", "--fail-on-warning", "--keep-going", "--quiet",
+    python = environment / "bin/python"
+    of_package = {"PYTHONPATH": build / "python", "PYTHONPYCACHEPREFIX": build / "python/bytecode"}
+    # Python compiles what the notebooks' kernels import once, not in each kernel while it has to start.
+    run(python, "-c", "import ipykernel.kernelapp, pysomato", **of_package)
+    run(python, "-m", "sphinx", "--fresh-env", "--fail-on-warning", "--keep-going", "--quiet",
         "--jobs", "auto", "--conf-dir", SITE, "--doctree-dir", folder.parent / "doctrees", TREE, folder,
-        SOMATO_DOXYGEN=doxygen, PYTHONPATH=build / "python", PYTHONPYCACHEPREFIX=build / "python/bytecode")
+        SOMATO_DOXYGEN=doxygen, **of_package)
 
 
 def main():

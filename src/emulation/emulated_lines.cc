@@ -5,8 +5,6 @@
 namespace somato::emulation {
 namespace {
 
-constexpr double kMillisecond = 0.001;
-
 tl::unexpected<Error> hung_up() {
   return fail(ErrorKind::kSystem, "the line has hung up", {},
               "check the cable and the power of the device");
@@ -32,7 +30,7 @@ bool EmulatedLines::has_news() const {
 
 void EmulatedLines::wait(double until) {
   while (now_ < until) {
-    now_ = std::min(until, now_ + kMillisecond);
+    now_ = std::min(until, now_ + kTimeStep);
     if (world_) world_(now_);
     for (EmulatedWire* wire : wires_) wire->advance(now_);
     if (has_news()) return;

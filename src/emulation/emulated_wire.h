@@ -12,6 +12,9 @@
 
 namespace somato::emulation {
 
+/// The step in which emulated time passes, in s.
+inline constexpr double kTimeStep = 0.001;
+
 /// The faults of a serial line. Everything is off by default and may change at any time.
 struct WireFaults {
   bool hung_up = false;   ///< The line is gone: reading and writing fail.

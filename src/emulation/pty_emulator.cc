@@ -9,13 +9,14 @@
 #include <tuple>
 #include <utility>
 
+#include "emulation/emulated_wire.h"
+
 namespace somato::emulation {
 namespace {
 
 constexpr int kPollMs = 1;
 constexpr double kLongestStep = 0.02;        // s of the emulation
 constexpr double kLongestAnswer = 0.1;       // s that a host waits without a look at other events
-constexpr double kMillisecond = 0.001;       // s
 constexpr double kLastMoment = 0.1;          // s for what hosts have sent before the end
 constexpr std::size_t kMostWaiting = 65536;  // A host that does not read loses the oldest bytes.
 
@@ -160,7 +161,7 @@ Result<void> PtyEmulator::follow_host() {
   take_from_host();
   const double end = std::min(*until, now_ + kLongestAnswer);
   while (now_ < end && !has_arrived()) {
-    SOMATO_TRY_VOID(advance(std::min(end, now_ + kMillisecond)));
+    SOMATO_TRY_VOID(advance(std::min(end, now_ + kTimeStep)));
   }
   give_to_host();
   host_clock_->answer(now_);
@@ -170,7 +171,7 @@ Result<void> PtyEmulator::follow_host() {
 Result<void> PtyEmulator::finish() {
   take_from_host();
   for (const double end = now_ + kLastMoment; now_ < end;) {
-    SOMATO_TRY_VOID(advance(now_ + kMillisecond));
+    SOMATO_TRY_VOID(advance(now_ + kTimeStep));
   }
   give_to_host();
   return {};

@@ -41,7 +41,8 @@ std::vector<bool> shares_with_another(const std::vector<std::size_t>& winners,
 std::map<std::size_t, std::size_t> votes_around(const Grid& grid, std::size_t sample,
                                                 const std::vector<std::size_t>& winners,
                                                 const std::vector<std::size_t>& classes) {
-  constexpr double kEqualDistances = 1e-9;  // equal distances on a hexagonal grid differ by rounding
+  constexpr double kEqualDistances =
+      1e-9;  // equal distances on a hexagonal grid differ by rounding
   std::vector<double> distances;
   distances.reserve(winners.size());
   for (const std::size_t winner : winners) {

@@ -27,8 +27,9 @@ class TeachingMetrics {
   std::vector<Metric> make() {
     for (std::size_t stage = 1; stage < stages(); ++stage) add_taught(stage);
     for (std::size_t stage = 0; stage < stages(); ++stage) add_known(stage);
-    add("names_refused",
-        [](const TeachingOutcome& seed) { return share_of_explorations(seed.refused, seed.names); });
+    add("names_refused", [](const TeachingOutcome& seed) {
+      return share_of_explorations(seed.refused, seed.names);
+    });
     return std::move(metrics_);
   }
 

@@ -64,8 +64,9 @@ Result<void> LineClock::wait(double until) {
 Result<void> LineClock::request(double until) {
   const std::string request = fmt::format("{}", until);
   SOMATO_TRY_VOID(write_available(emulator_.number(), line_of(request), port_));
+  std::string text;  // Two answers may arrive together.
   for (;;) {
-    SOMATO_TRY(const auto line, answer());
+    SOMATO_TRY(const auto line, answer(text));
     const std::size_t space = line.find(' ');
     if (line.substr(0, space) != request || space == std::string::npos) continue;
     now_ = std::max(now_, std::strtod(line.c_str() + space, nullptr));
@@ -73,8 +74,7 @@ Result<void> LineClock::request(double until) {
   }
 }
 
-Result<std::string> LineClock::answer() {
-  std::string text;
+Result<std::string> LineClock::answer(std::string& text) {
   for (;;) {
     if (auto line = take_line(text)) return *std::move(line);
     pollfd polled{emulator_.number(), POLLIN, 0};

@@ -31,7 +31,7 @@ class LineClock {
       : emulator_(std::move(emulator)), port_(std::move(port)) {}
 
   Result<void> request(double until);
-  Result<std::string> answer();
+  Result<std::string> answer(std::string& text);
 
   Descriptor emulator_;
   std::string port_;

@@ -169,9 +169,9 @@ TEST(ServoWatch, AHotServoIsAFaultWhenThreeReportsSaySo) {
               1e-9);
   EXPECT_NE(watched.said.find("130 degrees Celsius, above 70"), std::string::npos) << watched.said;
   EXPECT_TRUE(watched.obeys());
-  EXPECT_EQ(
-      Watched(ExploringMethod::kClosing).fault(1.0, [](double) { return Moment{0.0, 0.0, std::nan("")}; }),
-      0.0);
+  EXPECT_EQ(Watched(ExploringMethod::kClosing)
+                .fault(1.0, [](double) { return Moment{0.0, 0.0, std::nan("")}; }),
+            0.0);
 }
 
 // A report in ten is wrong in all that it says.

@@ -143,7 +143,8 @@ TEST(LeakyNeurons, LearnFromModulesBehindTheMemory) {
   const System system = trained(build(unit + text, recording), recording, 4, 9);
   for (std::size_t neuron = 0; neuron < 6; ++neuron) {
     for (std::size_t j = 0; j < 3; ++j) {
-      EXPECT_NEAR(integrated_map_of(plain).weight(neuron, j), integrated_map_of(system).weight(neuron, j), 1e-5F);
+      EXPECT_NEAR(integrated_map_of(plain).weight(neuron, j),
+                  integrated_map_of(system).weight(neuron, j), 1e-5F);
     }
   }
 }

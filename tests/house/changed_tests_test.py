@@ -48,7 +48,10 @@ class Selected(TreeTest):
 
     def test_files_that_are_not_sources(self):
         for name, reached in (
-                ("web/tests/view.test.ts", {"web.view"}), ("web/src/report/map.ts", {"web.unit", "web.report*"}),
+                ("web/tests/view.test.ts", {"web.view", "web.types"}),
+                ("web/tests/report_faults.test.ts", {"web.report", "web.types"}),
+                ("web/tests/parts/orbit.test.ts", {"web.unit", "web.types"}),
+                ("web/src/report/map.ts", {"web.unit", "web.types", "web.report"}),
                 ("python/somato/som.py", {"python"}), ("scripts/mutate.py", {"house"}),
                 ("systems/texture.toml", {"studies", "suggestion"}), ("devices/leap.toml", {"devices", "emulation"}),
                 ("fuzz/corpus/csv/a.csv", {"fuzz.csv_replay"}), ("tests/same_bits/expected.txt", {"same_bits"}),
@@ -94,13 +97,14 @@ class Run(unittest.TestCase):
 
     def test_documents_run_one_by_one_with_the_options_of_the_build(self):
         command = ["measure", "times", "python3", "run_doc_blocks.py", "--link", "a.so", "--scratch", "s",
-                   "--without", "docs/b.md"]
+                   "--without", "docs/b.md", "--share", "2/2"]
         with mock.patch.object(changed_run, "passes", return_value=True) as passes:
             self.assertTrue(changed_run.run_documents(["docs/a.md"], {"docs.commands": command}))
         words = passes.call_args.args
         self.assertEqual(words[2:8], (*command[:6],))
         self.assertEqual(words[-2:], ("--only", "docs/a.md"))
         self.assertNotIn("--without", words)
+        self.assertNotIn("--share", words)
 
     def test_shards_share_the_seconds_of_their_room(self):
         with mock.patch.object(changed_run, "UNIT", 0.5), mock.patch.multiple(changed_run.budget, LAST=TREE / "missing.json",

@@ -71,23 +71,6 @@ class DocBlocks(TreeTest):
         with self.assertRaises(SystemExit):
             self.run_document(readme, "--only", "docs/slaw.md")
 
-    def test_runs_fewer_repetitions(self):
-        mark = "<!-- test: --seeds 5 is --seeds 2 -->\n"
-        text = mark + fenced("console", "$ echo run --seeds 5 | tee said\nrun --seeds 5\n")
-        self.assert_passes(text + fenced("sh", "grep -x 'run --seeds 2' said\n"))
-        self.assert_passes(text + fenced("sh", "grep -x 'run --seeds 5' said\n"), "--full")
-        self.write("source/docs/other.md", fenced("sh", "true\n"))
-        self.assertNotIn("other.md", self.assert_passes(text, "--full"))
-        mark = "<!-- test: run is run --explorations 1 -->\n<!-- test: -o x is --seeds 1 -o x -->\n"
-        self.assert_passes(mark + fenced("sh", "echo run -o x | grep -x 'r[u]n --explorations 1 --seeds 1 [-]o x'\n"))
-        mark = "<!-- test: run is run --explorations 1 -->\n"
-        self.assert_passes(mark + fenced("sh", "echo run | grep explorations\n"))
-
-    def test_nothing_but_the_number_of_repetitions_changes(self):
-        for change in ("--seeds 5 is --seeds 6", "run is true --seeds 1", "--seeds 5 is --rows 5", "run is run",
-                       "--seeds 5 is --folds 2", "--seeds 4 is --seeds 2"):
-            self.assert_fails(f"<!-- test: {change} -->\n" + fenced("sh", "echo run --seeds 5\n"), "'")
-
     def test_every_document_is_in_one_share(self):
         names = [f"docs/{name}.md" for name in "abcd"]
         for number, name in enumerate(names):

@@ -202,7 +202,7 @@ class Requests(Peer):
         self.chain.ask("start")
         goals = self.by_library(lambda port: self.sync_write(
             port, GOAL, 6, {1: self.words(545, 20, 0), 3: self.words(512, 20, 0)}))
-        state = self.by_library(lambda port: handler.readTx(port, 1, POSITION, 6))
+        state = self.by_library(lambda port: handler.readTx(port, 1, POSITION, 8))  # to the temperature
         self.assertEqual(self.chain.bytes("tick", 0.02, 545, "nan", 512), goals + state)
 
 

@@ -39,10 +39,6 @@ std::vector<json> finals_in(const std::string& out) {
   return finals;
 }
 
-bool has_no_pages(const ProgramRun& done) {
-  return done.err.find("without its pages") != std::string::npos;
-}
-
 class Live : public ProgramTest {
  protected:
   // out/system.somato, trained on the example's recording.

@@ -190,10 +190,6 @@ class Motion : public ProgramTest {
     return port_.bytes() > 0;
   }
 
-  static bool has_no_pages(const ProgramRun& run) {
-    return run.err.find("without its pages") != std::string::npos;
-  }
-
   CountingPort port_;
 };
 

@@ -25,6 +25,11 @@ inline std::string program() {
   return named ? named : built_program();
 }
 
+/// Whether the program refused because it was built without its pages, for want of npm.
+inline bool has_no_pages(const ProgramRun& done) {
+  return done.err.find("without its pages") != std::string::npos;
+}
+
 /// A refused command line: what it is, and what the message must say.
 struct Refusal {
   Words arguments;

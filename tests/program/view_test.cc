@@ -70,7 +70,7 @@ TEST_F(View, PrintsWhereItIsServesItsPagesAndEndsPolitely) {
   world.interrupt_at = "Press Ctrl-C to close the view.";
   for (const Words& words : {Words{"view", "pressed.mcap"}, Words{"view", "--body", "texture"}}) {
     const ProgramRun done = run(words, world);
-    if (done.exit_code == 2 && done.err.find("without its pages") != std::string::npos) {
+    if (done.exit_code == 2 && has_no_pages(done)) {
       GTEST_SKIP() << "the program was built without npm";
     }
     EXPECT_EQ(done.exit_code, 0) << done.err;
@@ -115,7 +115,7 @@ TEST_F(View, SavesWhatABodyExplores) {
   world.interrupt_at = "Press Ctrl-C to close the view.";
   const Words words{"view", "--body", "hardness", "-o", "live.mcap"};
   const ProgramRun nothing = run(words, world);
-  if (nothing.err.find("without its pages") != std::string::npos) {
+  if (has_no_pages(nothing)) {
     GTEST_SKIP() << "the program was built without npm";
   }
   EXPECT_NE(nothing.out.find("live.mcap: not written"), std::string::npos) << nothing.out;
@@ -162,7 +162,7 @@ TEST_F(View, OpensABrowserWithoutTheTokenInItsArguments) {
     }
   };
   const ProgramRun done = run({"view", "--demo", "--body", "hardness", "--open"}, world);
-  if (done.err.find("without its pages") != std::string::npos) {
+  if (has_no_pages(done)) {
     GTEST_SKIP() << "the program was built without npm";
   }
   EXPECT_EQ(done.exit_code, 0) << done.err;
@@ -174,7 +174,7 @@ TEST_F(View, SaysThatNoBrowserCanBeStarted) {
   world.environment = {{"PATH", path("")}};
   world.interrupt_at = "Press Ctrl-C to close the view.";
   const ProgramRun done = run({"view", "--body", "hardness", "--open"}, world);
-  if (done.err.find("without its pages") != std::string::npos) {
+  if (has_no_pages(done)) {
     GTEST_SKIP() << "the program was built without npm";
   }
   EXPECT_EQ(done.exit_code, 0) << done.err;

@@ -261,8 +261,7 @@ std::size_t nearest_other(const Samples& samples, std::size_t left_out) {
 }
 
 TEST(SyntheticGrasps, AreWhatTheirReadmeSays) {
-  const auto recording =
-      import_icub_grasp(source_path("examples/synthetic_grasps"));
+  const auto recording = import_icub_grasp(source_path("examples/synthetic_grasps"));
   ASSERT_TRUE(recording) << to_string(recording.error());
   EXPECT_TRUE(validate(*recording));
   EXPECT_EQ(recording->explorations.size(), 30U);
@@ -277,8 +276,7 @@ TEST(SyntheticGrasps, AreWhatTheirReadmeSays) {
 }
 
 TEST(SyntheticGrasps, AreNeitherTrivialNorHopeless) {
-  const auto recording =
-      import_icub_grasp(source_path("examples/synthetic_grasps"));
+  const auto recording = import_icub_grasp(source_path("examples/synthetic_grasps"));
   ASSERT_TRUE(recording);
   const Samples samples = last_joints(*recording);
   int right = 0;

@@ -62,13 +62,13 @@ const Grid kSizeRow(1, 20, Lattice::kRectangular, Topology::kPlane);
 // with the other 1.
 TEST(SamplesWithSizeInOtherGroup, CountsTheRightSizeInTheWrongGroup) {
   const Numbers winners{0, 0, 1, 10, 10, 11, 19};
-  EXPECT_EQ(samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 2, 3, 3, 1, 1}, kSizedThings),
-            2U);
+  EXPECT_EQ(
+      samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 2, 3, 3, 1, 1}, kSizedThings), 2U);
   // The wrong size in the wrong group, then the wrong size in the right one.
-  EXPECT_EQ(samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 3, 3, 3, 1, 1}, kSizedThings),
-            1U);
-  EXPECT_EQ(samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 1, 3, 3, 3, 3}, kSizedThings),
-            0U);
+  EXPECT_EQ(
+      samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 3, 3, 3, 1, 1}, kSizedThings), 1U);
+  EXPECT_EQ(
+      samples_with_size_in_other_group(kSizeRow, winners, {0, 0, 1, 3, 3, 3, 3}, kSizedThings), 0U);
 }
 
 TEST(SamplesWithSizeInOtherGroup, RefusesWhatHasNoSize) {

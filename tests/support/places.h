@@ -12,6 +12,8 @@ std::string source_path(std::string_view name);
 std::string build_path(std::string_view name);
 
 /// The program `somato` of the build.
-inline std::string built_program() { return build_path("somato"); }
+inline std::string built_program() {
+  return build_path("somato");
+}
 
 }  // namespace somato

@@ -15,7 +15,8 @@
 namespace somato::wire {
 namespace {
 
-// The emulator's side: answers so many requests with the times that `answer` gives, and ends.
+// The emulator's side: answers so many requests with the times that `answer` gives, and ends in
+// join().
 class Emulator {
  public:
   Emulator() : port_(LineClockPort::open().value()) {}
@@ -37,12 +38,12 @@ class Emulator {
         port_->answer(answer(*until));
         ++done;
       }
-      port_.reset();
     });
   }
 
   void join() {
     if (thread_.joinable()) thread_.join();
+    port_.reset();
   }
 
  private:

@@ -6,7 +6,7 @@ import { promisify } from "node:util";
 
 const run = promisify(execFile);
 
-/** What it prints; rejected with what it complains about if it fails. */
+/** Runs the program and returns its output. The promise is rejected with its messages if it fails. */
 export async function somato(words: string[], options: { cwd?: string; env?: NodeJS.ProcessEnv } = {}): Promise<string> {
   const program = process.env["SOMATO_PROGRAM"];
   if (program === undefined) throw new Error("SOMATO_PROGRAM does not say where the program is");

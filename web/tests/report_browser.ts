@@ -42,7 +42,7 @@ export class ReportBrowser {
     beforeAll(async () => {
       this.browser = await flatBrowser();
       this.page = await this.browser.newPage({ acceptDownloads: true });
-      this.page.setDefaultTimeout(60_000);
+      this.page.setDefaultTimeout(120_000);
       this.watch();
     });
     afterAll(() => this.page.close());

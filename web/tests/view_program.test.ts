@@ -93,7 +93,7 @@ function startAddress(program: ChildProcess): Promise<string> {
   });
 }
 
-const soon = <T>(read: () => T) => expect.poll(read, { timeout: 60_000 });
+const soon = <T>(read: () => T) => expect.poll(read, { timeout: 120_000 });
 
 /** The values of a channel in an exploration, frame by frame. */
 function framesOf(exploration: number, channel: string): number[][] {

@@ -7,6 +7,7 @@ import type { State } from "../src/view/data";
 import { FakeServer } from "./fake_server";
 import { complaints, firstFrame, kPages, sceneBrowser } from "./view_browser";
 
+const kPatience = 120_000; // ms, for machines of any speed
 const kViewport = { width: 1280, height: 800 };
 
 interface Look {
@@ -34,6 +35,7 @@ export class ViewedPage {
     await (this.page as Page | undefined)?.close();
     const browser = await this.browser();
     this.page = await browser.newPage({ viewport: kViewport, reducedMotion: "reduce" });
+    this.page.setDefaultTimeout(kPatience);
     this.problems = complaints(this.page);
   }
 
@@ -64,4 +66,4 @@ export class ViewedPage {
 }
 
 /** Expected before long: how soon depends on the machine. */
-export const soon = <T>(read: () => T) => expect.poll(read, { timeout: 60_000 });
+export const soon = <T>(read: () => T) => expect.poll(read, { timeout: kPatience });
