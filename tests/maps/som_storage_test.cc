@@ -35,7 +35,7 @@ Samples narrow_samples(std::size_t count, std::size_t size, std::size_t used, Ra
   return Samples::from_signals(signals);
 }
 
-Samples dense(const Samples& samples) {
+Samples dense_rows(const Samples& samples) {
   Matrix<float> rows(samples.count(), samples.size());
   for (std::size_t i = 0; i < samples.count(); ++i) write_dense(samples[i], rows.row(i));
   return Samples(std::move(rows));
@@ -86,12 +86,12 @@ void for_each_stored_problem(std::uint64_t seed, const Work& work) {
 TEST(SomStoredElements, TrainToTheSameBitsAsAllElements) {
   for_each_stored_problem(71, [](const StoredProblem& problem, Random& /*random*/) {
     const Som some = train_som(problem.parameters, problem.samples).value();
-    const Som all = train_som(problem.parameters, dense(problem.samples)).value();
+    const Som all = train_som(problem.parameters, dense_rows(problem.samples)).value();
     EXPECT_FALSE(some.elements().all());
     EXPECT_LE(some.weights().columns(), 12U);
     expect_same_weights(some, all, problem.name);
     expect_same_weights(untrained_som(problem.parameters, problem.samples).value(),
-                        untrained_som(problem.parameters, dense(problem.samples)).value(),
+                        untrained_som(problem.parameters, dense_rows(problem.samples)).value(),
                         problem.name);
   });
 }
@@ -103,7 +103,7 @@ TEST(SomStoredElements, TrainByInnerProductsToTheSameBits) {
     problem.parameters.arithmetic = Arithmetic::kInnerProducts;
     const Som some = train_som(problem.parameters, problem.samples).value();
     EXPECT_FALSE(some.elements().all());
-    expect_same_weights(some, train_som(problem.parameters, dense(problem.samples)).value(),
+    expect_same_weights(some, train_som(problem.parameters, dense_rows(problem.samples)).value(),
                         problem.name);
   });
 }
