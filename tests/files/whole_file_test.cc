@@ -155,6 +155,7 @@ class FixedFileSystem final : public FileSystem {
     return tl::unexpected<int>(refused());
   }
   Outcome<void> flush(int file) override { return real_.flush(file); }
+  Outcome<void> lock(int file) override { return real_.lock(file); }
   Outcome<void> close(int file) override { return real_.close(file); }
   Outcome<void> rename(const std::string&, const std::string&) override {
     return tl::unexpected<int>(refused());

@@ -47,14 +47,13 @@ def source_distribution(python, source, folder):
 def build(archive, folder, source, pages):
     """The wheel, built as pip builds it, with the pinned versions of nanobind and its helpers.
 
-    It takes the pages of the build, and is optimized like the tests. It is where g++ compiles the program,
-    so that its warnings are errors.
+    It takes the pages of the build. It is where g++ compiles the program, so that its warnings are errors.
+    The build's folder is where the preset gcc has its own: the compiler's cache serves both.
     """
-    defined = {"CMAKE_CXX_FLAGS_RELWITHDEBINFO": "-O1 -DNDEBUG", "SOMATO_BUILD_FOR_TESTS": "ON",
-               "SOMATO_WARNINGS_AS_ERRORS": "ON"}
+    defined = {"SOMATO_WARNINGS_AS_ERRORS": "ON"}
     if pages:
         defined["SOMATO_PAGES_FILE"] = pages
-    settings = ["--config-settings=cmake.build-type=RelWithDebInfo",
+    settings = ["--config-settings=build-dir=build/gcc",
                 *[f"--config-settings=cmake.define.{name}={value}" for name, value in defined.items()]]
     run(sys.executable, "-m", "pip", "wheel", archive, "--no-deps", "--wheel-dir", folder, *settings,
         env=dict(os.environ, PIP_CONSTRAINT=str(source / REQUIREMENTS)))
