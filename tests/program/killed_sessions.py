@@ -5,7 +5,9 @@ Each of them explores with a simulated body and with an emulated device. At a se
 process group is ended by SIGKILL. Every exploration whose end was shown before, and every name that
 was confirmed, must then be in the file, or be recovered from its partial file.
 
-usage: killed_sessions.py --program FILE [--kills N] [--seed N]
+usage: killed_sessions.py --program FILE [--kills N] [--seed N] [--longest S]
+
+The tests kill each of them few times; 100 times with the default values take half an hour.
 """
 
 import argparse
