@@ -8,7 +8,7 @@ function(somato_set_warnings target)
                                            $<$<CXX_COMPILER_ID:Clang>:-Wreserved-identifier>)
   # g++ 12 warns at -O3 of std::string's own code (its bugs 105329 and 105651).
   target_compile_options(${target} PRIVATE
-    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>)
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>)
   # clang treats sources that are compiled together as headers.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   if(SOMATO_WARNINGS_AS_ERRORS)
