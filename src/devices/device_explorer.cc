@@ -55,7 +55,7 @@ Result<std::unique_ptr<Explorer>> DeviceExplorer::create(DeviceFile file,
       std::move(file), std::move(things), std::move(exploring), std::move(surroundings)));
 }
 
-Result<Exploration> DeviceExplorer::explore_with(Body& body) {
+Result<Exploration> DeviceExplorer::explore_with(Body& body) const {
   switch (file_.settings.explore) {
     case ExploringMethod::kGrasping:
       return explore_by_grasping(body, exploring_.plan, exploring_.grasp);

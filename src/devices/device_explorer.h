@@ -89,7 +89,7 @@ class DeviceExplorer : public Explorer {
   Result<void> place(std::size_t thing, std::size_t trial);
   Result<void> start();
   Result<DeviceBody*> body();
-  Result<Exploration> explore_with(Body& body);
+  Result<Exploration> explore_with(Body& body) const;
   Result<Exploration> explore_on(DeviceBody& body, const Exploration& named,
                                  const ExploreOptions& options);
   Error stopped(Error error);

@@ -125,7 +125,7 @@ Result<void> GrowingRecording::add(Exploration exploration) {
 Result<void> GrowingRecording::add_valid(Exploration exploration) {
   Recording single;
   single.explorations.push_back(std::move(exploration));
-  const Result<void> added =
+  Result<void> added =
       validate(single).and_then([&] { return add_to_partial(single.explorations.front()); });
   if (!added && added.error().kind == ErrorKind::kData) SOMATO_TRY_VOID(drop_draft());
   return added;
