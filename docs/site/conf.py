@@ -1,9 +1,12 @@
 """Configuration of the documentation site for Sphinx (docs/decisions/0027-documentation-site.md)."""
 
+import functools
 import os
 import re
 import sys
 from pathlib import Path
+
+from nbclient import NotebookClient
 
 HERE = Path(__file__).resolve().parent
 TREE = HERE.parent.parent
@@ -29,7 +32,10 @@ exclude_patterns = ["docs/site", "docs/pictures", *FOLDERS_WITHOUT_PAGES]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 6
 nb_execution_mode = "force"
-nb_execution_timeout = 120
+# The limits end broken notebooks only: on a busy machine a kernel may start for minutes. That of the start
+# is no setting of MyST-NB.
+nb_execution_timeout = KERNEL_START = 1800
+NotebookClient.__init__ = functools.partialmethod(NotebookClient.__init__, startup_timeout=KERNEL_START)
 nb_execution_show_tb = True
 
 breathe_projects = {"somato": os.environ.get("SOMATO_DOXYGEN", "")}
