@@ -38,14 +38,15 @@ class NoteSearch {
   explicit NoteSearch(McapInput& input) : input_(&input) {}
 
   // A record may say something about an exploration that comes before it, so all are read first.
-  // Where a length is damaged, the next chunk continues the search.
+  // Where a record is damaged, the next chunk continues the search: a hole in a file, of zeros, is
+  // not read as millions of records.
   Result<ExplorationNotes> run() {
     for (bool more = true; more;) {
       SOMATO_TRY(const std::string_view head, input_->view(place_, kMcapRecordHead));
       const std::size_t left = input_->size() - std::min(place_, input_->size());
       const bool has_head = head.size() == kMcapRecordHead;
       const auto length = has_head ? little_endian<std::uint64_t>(&head[1]) : 0;
-      if (!has_head || length > left - kMcapRecordHead) {
+      if (!has_head || head.front() == '\0' || length > left - kMcapRecordHead) {
         SOMATO_TRY(more, pass_damage());
       } else {
         const auto opcode = static_cast<McapOpcode>(head.front());
