@@ -117,8 +117,8 @@ std::string with_clock(std::string text, const EmulationRequest& request,
   if (!request.file.settings.clock_port.empty()) {
     text = devices::with_key(text, "", "clock_port", R"("")");
   }
-  // Two programs on a busy machine are late now and then, more than wires are.
-  constexpr double kPatience = 0.5;  // s
+  // Seconds of the machine, whatever the emulation's: a hand must not move blind for longer.
+  constexpr double kPatience = 0.06;
   const double periods = std::ceil(kPatience * *request.clock / request.file.settings.period);
   const auto missed = std::max(static_cast<double>(request.file.safety.missed), periods);
   return devices::with_key(text, "safety", "missed", fmt::format("{:.0f}", missed));

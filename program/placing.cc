@@ -10,6 +10,14 @@
 #include "terminal.h"
 
 namespace somato::program {
+namespace {
+
+// On a terminal, a message replaces the line of the progress.
+const char* beginning_of_line() {
+  return isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "";
+}
+
+}  // namespace
 
 Result<void> wait_for_enter() {
   constexpr int kPollMs = 100;
@@ -26,8 +34,8 @@ Result<void> wait_for_enter() {
 }
 
 Result<void> place_by_person(const ExploredThing& thing, std::size_t trial) {
-  fmt::print(stderr, "Place {} (trial {}), take your hands away, and press Enter.\n", thing.name,
-             trial + 1);
+  fmt::print(stderr, "{}Place {} (trial {}), take your hands away, and press Enter.\n",
+             beginning_of_line(), thing.name, trial + 1);
   return wait_for_enter();
 }
 
@@ -41,9 +49,9 @@ Result<void> permit_by_person(const Error& fault) {
   tcflush(STDIN_FILENO, TCIFLUSH);  // Enter before the fault permits nothing.
   fmt::print(
       stderr,
-      "somato: {}\nThe device has stopped. Remove the cause, take your hands away, and press "
+      "{}somato: {}\nThe device has stopped. Remove the cause, take your hands away, and press "
       "Enter to explore on, or Ctrl-C to end.\n",
-      to_string(fault));
+      beginning_of_line(), to_string(fault));
   return wait_for_enter();
 }
 

@@ -223,7 +223,9 @@ class DeviceBody::Impl {
     const double seconds = std::max(period, now - moved_);
     const std::span<const double> on_bus = move(now);
     history_.add(time(), motion_.targets(), motion_.positions(), io_.reports(), frame_age(now));
-    return io_.send(on_bus, seconds);
+    SOMATO_TRY_VOID(io_.send(on_bus, seconds));
+    if (io_.has_sent()) motion_.note_sent();
+    return {};
   }
 
   double frame_age(double now) const {
@@ -274,6 +276,14 @@ class DeviceBody::Impl {
     io_.samples()->keep(static_cast<std::size_t>(kBacklog * file_.microphone->rate));
   }
 
+  // A wait ends with each answer, but a command after each of them would fill the line.
+  void receive_until(double end) {
+    while (io_.now() < end) {
+      io_.wait(end);
+      static_cast<void>(io_.receive());
+    }
+  }
+
   // Holds for the declared time, then switches off; at once if it was interrupted, and if a servo
   // does not obey, which could not hold.
   tl::unexpected<Error> stop(Error error) {
@@ -283,8 +293,7 @@ class DeviceBody::Impl {
     const double period = file_.settings.period;
     // A line that hung up may be another one than that of the servos.
     while (io_.now() < until && io_.send(motion_.advance(period), period)) {
-      io_.wait(std::min(until, io_.now() + period));
-      static_cast<void>(io_.receive());
+      receive_until(std::min(until, io_.now() + period));
     }
     relax();
     if (error.where.empty()) error.where = file_.settings.name;

@@ -100,11 +100,14 @@ Result<void> DeviceIo::queue(std::span<const std::uint8_t> bytes) {
 }
 
 Result<void> DeviceIo::send(std::span<const double> on_bus, double seconds) {
+  has_sent_ = false;
   if (!bus_) return {};
   SOMATO_TRY_VOID(flush());
   if (unsent_.empty()) {
     delayed_ = 0;
-    return queue(bus_->tick(on_bus, seconds));
+    const std::span<const std::uint8_t> bytes = bus_->tick(on_bus, seconds);
+    has_sent_ = bus_->has_sent_positions();
+    return queue(bytes);
   }
   if (++delayed_ < file_.safety.missed) return {};
   return silent(file_.servo_line->port, delayed_, "the line did not accept a command",

@@ -43,6 +43,9 @@ class DeviceIo {
   /// still sending the ones before. Errors (kSystem): the line has hung up, or is too slow.
   Result<void> send(std::span<const double> on_bus, double seconds);
 
+  /// Whether the last positions are on their way to the servos.
+  bool has_sent() const { return has_sent_; }
+
   /// Switches all servos off.
   void relax() noexcept;
 
@@ -88,6 +91,7 @@ class DeviceIo {
   std::array<std::uint8_t, 4096> received_{};
   std::vector<std::uint8_t> unsent_;
   std::size_t delayed_ = 0;  // Periods in which the line was still sending.
+  bool has_sent_ = false;
   double begun_ = 0.0;
 };
 

@@ -15,7 +15,7 @@ SafeMotion::SafeMotion(std::span<const ServoSettings> servos)
       on_(servos.size(), 0),
       on_bus_(servos.size()) {
   for (std::size_t i = 0; i < servos.size(); ++i) positions_[i] = servos_[i].resting();
-  targets_ = positions_;
+  targets_ = sent_ = positions_;
 }
 
 void SafeMotion::begin(std::span<const double> positions) {
@@ -26,7 +26,7 @@ void SafeMotion::begin(std::span<const double> positions) {
                         ? std::clamp(positions[i], servos_[i].least, servos_[i].most)
                         : servos_[i].resting();
   }
-  targets_ = positions_;
+  targets_ = sent_ = positions_;
 }
 
 void SafeMotion::switch_on(std::size_t servo) {
@@ -41,8 +41,13 @@ void SafeMotion::set_targets(std::span<const double> targets) {
   }
 }
 
+void SafeMotion::note_sent() {
+  std::copy(positions_.begin(), positions_.end(), sent_.begin());
+}
+
 void SafeMotion::hold() {
-  std::copy(positions_.begin(), positions_.end(), targets_.begin());
+  std::copy(sent_.begin(), sent_.end(), positions_.begin());
+  std::copy(sent_.begin(), sent_.end(), targets_.begin());
 }
 
 std::span<const double> SafeMotion::advance(double seconds) {

@@ -25,7 +25,10 @@ class SafeMotion {
   /// target unchanged; one beyond a limit becomes the limit.
   void set_targets(std::span<const double> targets);
 
-  /// Stops every servo where it is.
+  /// The positions so far have been sent to the servos.
+  void note_sent();
+
+  /// Stops every servo at the position that it was sent last, or where it was when it began.
   void hold();
 
   /// Moves each position towards its target by at most `seconds` times the servo's highest speed;
@@ -41,6 +44,7 @@ class SafeMotion {
  private:
   std::vector<ServoSettings> servos_;
   std::vector<double> positions_;
+  std::vector<double> sent_;
   std::vector<double> targets_;
   std::vector<char> on_;
   std::vector<double> on_bus_;

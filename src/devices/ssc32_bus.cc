@@ -83,6 +83,7 @@ Result<void> Ssc32Bus::start(wire::Exchange& exchange) {
   answers_ = 0;
   resynchronizations_ = 0;
   unmoved_ = 0.0;
+  is_unheard_ = false;
   std::fill(sent_.begin(), sent_.end(), std::nullopt);
   SOMATO_TRY_VOID(check_version(exchange));
   return read_pulses(exchange);
@@ -136,6 +137,7 @@ std::span<const std::uint8_t> Ssc32Bus::tick(std::span<const double> positions, 
   require(positions.size() == channels_.size(), "as many positions as servos are required");
   require(seconds > 0.0, "a tick has a positive duration");
   commands_.clear();
+  has_moved_ = false;
   waited_ += seconds;
   unmoved_ += seconds;
   if (state_ == State::kAnswered) take_answer();
@@ -144,7 +146,7 @@ std::span<const std::uint8_t> Ssc32Bus::tick(std::span<const double> positions, 
   if (state_ == State::kFailed) resynchronize();
   if (state_ != State::kIdle) return commands_.bytes();
   query();  // before the moves, so that the answer shows a board that restarted
-  if (!has_restarted()) add_moves(positions, std::exchange(unmoved_, 0.0));
+  if (!has_restarted() && !is_unheard_) add_moves(positions, std::exchange(unmoved_, 0.0));
   return commands_.bytes();
 }
 
@@ -156,6 +158,7 @@ void Ssc32Bus::add_moves(std::span<const double> positions, double seconds) {
     sent_[servo] = pulse;
   }
   SOMATO_ASSERT(commands_.move(moves_, milliseconds_of(seconds)).has_value());
+  has_moved_ = true;
 }
 
 void Ssc32Bus::query() {
@@ -170,6 +173,7 @@ void Ssc32Bus::resynchronize() {
   SOMATO_ASSERT(commands_.resynchronize().has_value());
   std::fill(sent_.begin(), sent_.end(), std::nullopt);
   state_ = State::kQuiet;
+  is_unheard_ = true;
   waited_ = 0.0;
   ++resynchronizations_;
 }
@@ -197,6 +201,7 @@ bool Ssc32Bus::has_restarted() const {
 
 void Ssc32Bus::take_answer() {
   state_ = State::kIdle;
+  is_unheard_ = false;
   ++answers_;
   ServoReport& report = reports_[queried_];
   if (answer_ == 0 && !std::isnan(report.position)) report.error = kRestarted;

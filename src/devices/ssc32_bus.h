@@ -30,7 +30,8 @@ namespace somato::devices {
 /// echo, make it invalid. After an answer that does not come within kPatience, or bytes that are no
 /// answer, the next tick consists of ESC and CR, and for kQuiet no tick sends anything, and
 /// bytes that arrive are discarded, so that a late answer is not mistaken for that of another
-/// channel; then every position is sent again. Moves that waited take as much longer.
+/// channel. A query without moves follows; when it is answered, every position is sent again. Moves
+/// that waited take as much longer.
 ///
 /// The protocol has no checksum: a byte that is damaged on the line may send a servo to any pulse,
 /// until the next tick.
@@ -64,6 +65,7 @@ class Ssc32Bus : public ServoBus {
   bool measures_positions() const override { return false; }
 
   std::size_t bytes_per_tick() const override;
+  bool has_sent_positions() const override { return has_moved_; }
   double recovery() const override { return kPatience + 2.0 * kQuiet; }
   Error explain(std::uint8_t error) const override;
 
@@ -101,7 +103,9 @@ class Ssc32Bus : public ServoBus {
   std::size_t queried_ = 0;
   int answer_ = 0;
   double answer_time_ = 0.0;
-  double unmoved_ = 0.0;  // s since the last moves.
+  double unmoved_ = 0.0;     // s since the last moves.
+  bool has_moved_ = false;   // whether the last tick contained positions
+  bool is_unheard_ = false;  // since a resynchronization, no query was answered
   double waited_ = 0.0;
   std::size_t answers_ = 0;
   std::size_t resynchronizations_ = 0;

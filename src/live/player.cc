@@ -426,9 +426,16 @@ void Player::catch_up() {
   while (replay_.is_behind()) replay_.follow(kSlice);
 }
 
+// A press of Start before the fault was shown permits nothing.
+void Player::await_start() {
+  audience_.await_command();
+  wants_exploring_ = false;
+  is_permitted_ = false;
+}
+
 void Player::fail_exploring(const Error& error) {
   kept_.discard_next();
-  if (source_.explorer->is_stopped()) audience_.await_command();
+  if (source_.explorer->is_stopped()) await_start();
   if (error.kind == ErrorKind::kInterrupted) return;
   problem_ = sentence_of(error);
   replay_.tap().say_failure(error);

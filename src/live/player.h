@@ -102,6 +102,7 @@ class Player {
   void show_step();
   void finish(std::future<Result<Exploration>> explored);
   void catch_up();
+  void await_start();
   void fail_exploring(const Error& error);
   Result<void> keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene);
   Result<void> name(const Label& given);

@@ -57,7 +57,10 @@ void SerialLines::wait(double until) {
 
 void SerialLines::wait_at_ports(double until) {
   std::array<pollfd, kMostLines> polled{};
-  for (std::size_t i = 0; i < open_.size(); ++i) polled[i] = {open_[i].number(), POLLIN, 0};
+  // A line that has hung up would end each wait at once, and others are still to be driven.
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    polled[i] = {hung_up_[i] != 0 ? -1 : open_[i].number(), POLLIN, 0};
+  }
   const double left = std::max(0.0, until - now()) / clock_;
   const double whole = std::floor(left);
   const timespec timeout{static_cast<time_t>(whole), static_cast<long>((left - whole) * 1e9)};

@@ -107,6 +107,30 @@ TEST_P(DeviceFaults, SilenceIsNoticedAfterThreeMissedPolls) {
   EXPECT_TRUE(fingers_.are_off());
 }
 
+// The bus of an SSC-32 sends nothing while it waits for an answer: what it would have sent since is
+// not made up for after the stop.
+TEST_P(DeviceFaults, NothingMovesWhileAStoppedHandHolds) {
+  const ServoSettings& servo = fingers_.device.file.servos[1];
+  double moment = std::numeric_limits<double>::infinity();
+  double least = servo.most;
+  double most = servo.least;
+  fingers_.device.at = [&, before = fingers_.device.at](double now) {
+    before(now);
+    const auto driven = fingers_.servos().driven_position(1);
+    if (now < moment + patience() + 0.05 || !driven) return;
+    least = std::min(least, servo.from_bus(*driven));
+    most = std::max(most, servo.from_bus(*driven));
+  };
+  const Outcome outcome = outcome_of(fingers_, [&] {
+    moment = fingers_.device.lines.now();
+    fingers_.servo_line().silent = true;
+  });
+  ASSERT_TRUE(outcome.stopped);
+  ASSERT_GT(most, 20.0) << "it was on its way to 90 deg";
+  EXPECT_LT(most, 80.0);
+  EXPECT_LT(most - least, 1.0);
+}
+
 TEST_P(DeviceFaults, GarbageIsSkipped) {
   expect_continues(fingers_, [&] {
     fingers_.servo_line().garbage = {0xFF, 0xFF, 0xFD, 0x00, 0x01, 0xFF, 0x7F, 0x55, 'Q', '\r'};

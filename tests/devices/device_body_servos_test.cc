@@ -99,6 +99,24 @@ TEST_P(ServoFaults, AWarmServoIsNoFault) {
   EXPECT_FALSE(outcome_of(fingers_, [&] { fingers_.heat(1, 70); }).stopped);
 }
 
+// The horn of the finger is half its range away from where the file says. An SSC-32 cannot know.
+TEST_P(ServoFaults, ACalibrationOfAnotherHandIsRefusedAndMovesNothing) {
+  if (!measures()) return;
+  DeviceFile other = fingers_.device.file;
+  ServoSettings& thumb = other.servos[0];
+  thumb.zero += thumb.scale * 0.5 * (thumb.most - thumb.least);
+  const auto before = fingers_.hand.state().positions;
+  const auto refused = DeviceBody::start(other, fingers_.device.lines);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kData);
+  EXPECT_NE(refused.error().what.find("outside its limits, 0 to 60"), std::string::npos)
+      << refused.error().what;
+  EXPECT_TRUE(fingers_.are_off());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_NEAR(fingers_.hand.state().positions[i], before[i], testing::kResolution);
+  }
+}
+
 // As a program that is stopped and continued: the clock has gone on, and nothing was read.
 TEST_P(ServoFaults, AProgramThatIsHeldUpStopsTheBody) {
   class HeldUp : public testing::LentLines {
@@ -126,6 +144,33 @@ TEST_P(ServoFaults, AProgramThatIsHeldUpStopsTheBody) {
       << stepped.error().what;
   EXPECT_FALSE((*body)->is_on());
   EXPECT_TRUE(fingers_.are_off());
+}
+
+// Answers arrive meanwhile: a command after each of them would fill the line, and delay the last
+// command, which switches the servos off.
+TEST_P(ServoFaults, AStoppedHandHoldsWithOneCommandInAPeriod) {
+  class Counting : public testing::LentLines {
+   public:
+    using LentLines::LentLines;
+    Result<std::size_t> write(std::size_t line, std::span<const std::uint8_t> bytes) override {
+      writes += bytes.empty() ? 0 : 1;
+      return LentLines::write(line, bytes);
+    }
+    std::size_t writes = 0;
+  };
+  Counting lines(fingers_.device.lines);
+  const auto body = DeviceBody::start(fingers_.device.file, lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  ASSERT_TRUE((*body)->step(0.2));
+  fingers_.sensor_line().hung_up = true;
+  lines.writes = 0;
+  const double before = lines.now();
+  ASSERT_FALSE((*body)->step(1.0));
+  EXPECT_NEAR(lines.now() - before, kHold, 0.05);
+  // A command, and with SCS servos the request of the second state; then the servos are off.
+  const double periods = kHold / fingers_.device.file.settings.period;
+  EXPECT_GE(lines.writes, static_cast<std::size_t>(periods));
+  EXPECT_LE(lines.writes, static_cast<std::size_t>(2.0 * periods) + 5);
 }
 
 // A view waits between two steps, for as long as a person likes.

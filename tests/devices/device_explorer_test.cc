@@ -81,6 +81,36 @@ TEST_F(DeviceExplorerTest, NothingMovesAfterAFaultUntilAPersonSaysSo) {
   EXPECT_TRUE(explorer->explore(0, 1));
 }
 
+// It is pulled on the way to the resting position, when nothing can switch the servos off.
+TEST_F(DeviceExplorerTest, ACableThatIsPutBackMovesNothing) {
+  fingers_.device.file.servos[0].rest = 40.0;  // 0.67 s from where it starts
+  const auto explorer = this->explorer(surroundings());
+  ExploreOptions options;
+  options.observer.on_begin = [](const BodyDescription&, const Scene&) -> Result<void> {
+    return {};
+  };
+  options.observer.on_step = [&](const ExplorationStep& step) -> Result<void> {
+    if (step.state.time < 1.9) return {};
+    fingers_.at(fingers_.device.lines.now() + 0.3, [&] { fingers_.servo_line().hung_up = true; });
+    return {};
+  };
+  const auto failed = explorer->explore(0, 0, options);
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().what, "the line has hung up");
+  const double at = fingers_.hand.state().positions[0];
+  EXPECT_GT(at, 5.0);
+  EXPECT_LT(at, 35.0);
+  fingers_.servo_line().hung_up = false;
+  for (int i = 0; i < 100; ++i) fingers_.device.lines.wait(fingers_.device.lines.now() + 0.01);
+  const auto refused = explorer->explore(0, 0);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().what, "a fault has stopped the device");
+  EXPECT_NEAR(fingers_.hand.state().positions[0], at, 2.0) << "the rest of one period";
+  EXPECT_EQ(opened_, 1U);
+  explorer->resume();
+  EXPECT_TRUE(explorer->explore(0, 0));
+}
+
 TEST_F(DeviceExplorerTest, APersonMayPermitItWhenTheNextExplorationBegins) {
   std::vector<std::string> faults;
   bool permits = false;

@@ -111,6 +111,17 @@ TEST(DeviceFile, RefusesMistakesWithTheirLine) {
             "d.toml:1: 'name' is missing; write for example name = \"my hand\"");
 }
 
+TEST(DeviceFile, RefusesLimitsThatAreNoNumbers) {
+  for (const std::string value : {"nan", "inf", "-inf"}) {
+    for (const std::string key : {"least = -20", "most = 60"}) {
+      const std::string name = key.substr(0, key.find(' '));
+      const std::string error = error_of(with(key, name + " = " + value));
+      EXPECT_TRUE(error.starts_with("d.toml:")) << error;
+      EXPECT_NE(error.find("'" + name + "'"), std::string::npos) << error;
+    }
+  }
+}
+
 TEST(DeviceFile, RefusesKeysThatHaveNoEffect) {
   EXPECT_EQ(error_of(with("servos = [\"thumb\", \"index\"]\n",
                           "servos = [\"thumb\", \"index\"]\nfirst = 1\n")),

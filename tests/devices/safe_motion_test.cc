@@ -49,7 +49,22 @@ TEST(SafeMotion, HoldsWhereItIs) {
   motion.begin(std::vector{0.0});
   motion.set_targets(std::vector{20.0});
   motion.advance(0.1);
+  motion.note_sent();
   motion.hold();
+  motion.advance(1.0);
+  EXPECT_EQ(motion.positions()[0], 6.0);
+}
+
+// A bus that waited for an answer has not sent the positions since.
+TEST(SafeMotion, HoldsAtThePositionThatWasSentLast) {
+  SafeMotion motion(std::vector{servo(-30.0, 30.0, 60.0)});
+  motion.begin(std::vector{0.0});
+  motion.set_targets(std::vector{20.0});
+  motion.advance(0.1);
+  motion.note_sent();
+  motion.advance(0.1);
+  motion.hold();
+  EXPECT_EQ(motion.positions()[0], 6.0);
   motion.advance(1.0);
   EXPECT_EQ(motion.positions()[0], 6.0);
 }

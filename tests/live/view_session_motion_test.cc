@@ -31,6 +31,8 @@ struct Moves {
   std::atomic<std::size_t> resumed = 0;
   std::size_t steps = 0;                  // unprotected: its line belongs to one thread at a time
   std::atomic<std::size_t> failures = 0;  // so many of the next explorations end with a fault
+  std::atomic<bool> holds = false;        // a body that has a fault holds
+  std::atomic<bool> may_end = true;       // then it ends
 };
 
 // A real body that counts its movements.
@@ -57,6 +59,8 @@ class RealBody : public Explorer {
     auto explored = fake_.explore(thing, trial, counting);
     if (!explored || moves_->failures == 0) return explored;
     --moves_->failures;
+    moves_->holds = true;
+    while (!moves_->may_end) std::this_thread::yield();
     is_stopped_ = true;
     return fail(ErrorKind::kData, "the servo is stuck");
   }
@@ -217,6 +221,25 @@ TEST_F(MotionThread, NothingMovesAfterAFaultUntilAViewerStartsAgain) {
   session.stop();
   EXPECT_EQ(moves_->begun, 3U);
   EXPECT_EQ(moves_->resumed, 1U);
+}
+
+// While the body holds, the page does not show the fault yet: this press was not meant for it.
+TEST_F(MotionThread, APressOfStartBeforeTheFaultIsShownPermitsNothing) {
+  moves_->failures = 1;
+  moves_->may_end = false;
+  ViewSession session(source(), viewed());
+  session.start();
+  const auto viewer = session.hub().subscribe(4);
+  command(session, kStart);
+  ASSERT_TRUE(eventually([&] { return moves_->holds.load(); }));
+  command(session, kStart);
+  moves_->may_end = true;
+  EXPECT_TRUE(eventually([&] { return state_of(session)["problem"] != nullptr; }));
+  come_and_go(session);
+  EXPECT_EQ(state_of(session)["awaits_start"], true);
+  EXPECT_EQ(moves_->resumed, 0U);
+  EXPECT_EQ(moves_->begun, 1U);
+  session.stop();
 }
 
 // Two viewers who press at once: one after the other is done, and one thread has the line.

@@ -1,6 +1,7 @@
 // Each way into the program, with a device: nothing is sent to its servos before a person's
 // command.
 
+#include "program/emulation_test.h"
 #include "program/program_test.h"
 #include "support/http_client.h"
 #include "support/places.h"
@@ -111,7 +112,7 @@ struct Address {
   std::string token;
 };
 
-class Motion : public ProgramTest {
+class Motion : public EmulationTest {
  protected:
   Motion() {
     write("hand.toml",
@@ -166,6 +167,7 @@ class Motion : public ProgramTest {
       const auto second = address.page();
       EXPECT_NE(address.state().find("\"awaits_start\":true"), std::string::npos);
     }
+    start_from_elsewhere(address);
     for (const std::string command :
          {R"({"command":"play"})", R"({"command":"step","frames":1})", R"({"command":"pause"})",
           R"({"command":"thing","name":"cube"})", R"({"command":"speed","speed":100})",
@@ -177,6 +179,19 @@ class Motion : public ProgramTest {
     const auto last = address.page();
     EXPECT_NE(address.state().find("\"awaits_start\":true"), std::string::npos);
     EXPECT_EQ(port_.bytes(), 0U);
+  }
+
+  // Start without the token of the page, and from a page of another origin.
+  static void start_from_elsewhere(const Address& address) {
+    const std::string start = R"({"command":"explore"})";
+    const auto status = [&](const std::string& target, const std::vector<std::string>& headers) {
+      return testing::status_of(
+          testing::ask(address.port, testing::post_request(address.port, target, start, headers)));
+    };
+    EXPECT_EQ(status("/api/command", {}), 403);
+    EXPECT_EQ(status("/api/command?token=0123456789abcdef", {}), 403);
+    // A foreign origin beside that of the page.
+    EXPECT_EQ(status(address.with_token("/api/command"), {"Origin: http://example.org"}), 403);
   }
 
   // Then one press moves it.
@@ -257,6 +272,25 @@ TEST_F(Motion, CommandsThatSaySoMoveIt) {
     const std::size_t before = port_.bytes();
     EXPECT_NE(run(words, placed()).exit_code, 0) << "no servo answers";
     EXPECT_GT(port_.bytes(), before) << words.front();
+  }
+}
+
+// They talk to the servos: each is afterwards where it was, or still off.
+TEST_F(Motion, CheckAndMonitorMoveNothing) {
+  const std::regex place("servo \"stick\": channel [0-9]+, (at [^,\n]*|off)");
+  for (const std::string bus : {"ssc32", "dynamixel", "sts", "scs"}) {
+    SCOPED_TRACE(bus);
+    with_emulation({"--body", "hardness", "--bus", bus}, [&] {
+      std::string first;
+      for (int i = 0; i < 2; ++i) {
+        const std::string checked = output_of({"device", "check", "d.toml"});
+        std::smatch found;
+        ASSERT_TRUE(std::regex_search(checked, found, place)) << checked;
+        if (i == 0) first = found[0];
+        EXPECT_EQ(found[0], first);
+        if (i == 0) output_of({"device", "monitor", "d.toml", "--seconds", "1"});
+      }
+    });
   }
 }
 

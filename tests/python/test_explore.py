@@ -1,5 +1,8 @@
 """Simulated bodies explore as in the program."""
 
+import inspect
+import os
+import select
 from pathlib import Path
 
 import numpy as np
@@ -58,6 +61,22 @@ def test_arrays_of_an_exploration_can_be_learned(objects):
     grasps = explore("lucs3", objects=objects, explorations=2)
     X = np.array([frames[-1] for frames in grasps["joints"]])
     assert pysomato.SOM(3, 3, iterations=50).fit(X, grasps.label("object")).score(X) <= 0
+
+
+def test_a_device_is_not_reached(tmp_path):
+    """Python explores with simulated bodies only: no function takes a device, and no line is opened."""
+    host, line = os.openpty()
+    path = tmp_path / "hand.toml"
+    path.write_text(f'name = "one finger"\nexplore = "holding"\n[servos]\nbus = "sts"\nport = "{os.ttyname(line)}"\n'
+                    '[servo.finger]\nchannel = 1\nzero = 2048\nscale = 11.4\nleast = 0\nmost = 90\n'
+                    '[sensor.joints]\nfrom = "servos"\nservos = ["finger"]\n')
+    for arguments in ({"body": str(path)}, {"body": "lucs3", "objects": path}, {"body": "lucs3", "settings": path},
+                      {"body": "lucs3", "device": str(path)}):
+        with pytest.raises(pysomato.Error):
+            explore(**arguments)
+    functions = inspect.getmembers(pysomato, inspect.isfunction)
+    assert [name for name, function in functions if "device" in inspect.signature(function).parameters] == []
+    assert select.select([host], [], [], 0)[0] == []
 
 
 @pytest.mark.parametrize("arguments, message", [

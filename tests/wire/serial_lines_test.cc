@@ -42,6 +42,23 @@ TEST(SerialLines, NoticesAHangUpWhileWaitingAndOpensAgain) {
   EXPECT_EQ(again.error().kind, ErrorKind::kSystem);
 }
 
+// A stopped hand holds at the pace of its period although its sensors have hung up.
+TEST(SerialLines, WaitsBesideALineThatHasHungUp) {
+  const auto servos = open_pseudo_terminal();
+  auto sensors = open_pseudo_terminal();
+  const auto lines = SerialLines::open({{servos->port, 115200}, {sensors->port, 115200}});
+  ASSERT_TRUE(lines) << to_string(lines.error());
+  {
+    const Descriptor gone = std::move(sensors->device);
+  }
+  (*lines)->wait((*lines)->now() + 60.0);
+  std::array<std::uint8_t, 8> read{};
+  ASSERT_FALSE((*lines)->read(1, read));
+  const double before = (*lines)->now();
+  (*lines)->wait(before + 0.02);
+  EXPECT_GE((*lines)->now(), before + 0.02);
+}
+
 TEST(SerialLines, ScalesTheClockOfAnEmulator) {
   const auto terminal = open_pseudo_terminal();
   const auto lines = SerialLines::open({{terminal->port, 115200}}, 1000.0);
