@@ -21,6 +21,7 @@ PERIODS = 0.06  # s: `missed` periods
 SILENCE = {"ssc32": 0.2, "scs": 0.1}  # s without an answer, where it is more
 DEVIATION, UNMOVED = 0.1, 0.5  # the defaults of [safety]
 DRIFT = 176.0  # deg/s
+CLOSING_STEP = 0.1  # s; a pause ends with the step of the exploration
 FINGER = "index_proximal"
 
 
@@ -256,7 +257,7 @@ def second_program(rig):
     program = in_motion(rig)
     code, said = rig.run("explore", "--device", "hand.toml", "-o", "other.mcap")
     since = time.monotonic()
-    outcome = Outcome(says=said.removeprefix("somato: "), on=True)
+    outcome = Outcome(says=said.split("\n")[0].removeprefix("somato: "), on=True)
     try:
         rig.proxy.wait_for_move(since, 20.0)
     except TimeoutError:
@@ -335,12 +336,12 @@ def two_viewers(rig):
     for press in presses:
         press.join()
     rig.proxy.wait_for_move(time.monotonic())
-    time.sleep(1.0)
+    time.sleep(4.0 if rig.bus == "ssc32" else 1.0)  # an SSC-32 first switches its servos on
     fault = time.monotonic()
     status = page.command("pause")
     time.sleep(2.0)
     moves = rig.proxy.moves(fault)
-    outcome = Outcome(moves[-1] - fault if moves else 0.0, on=rig.proxy.is_on(), says="the page shows a pause",
+    outcome = Outcome(moves[-1] - fault if moves else 0.0, CLOSING_STEP, on=rig.proxy.is_on(), says="the page shows a pause",
                       disk="nothing of the exploration that is ended")
     if status != 200:
         outcome.problems.append(f"Pause was answered by {status}")

@@ -23,6 +23,7 @@ constexpr double kPause = 3.0;        // periods after which the host has paused
 constexpr double kBacklog = 0.25;     // s of samples that may wait
 
 using BeforeJump = std::function<Result<void>(const ServoSettings& servo)>;
+using ShouldContinue = std::function<bool()>;
 
 std::vector<std::string> names_of(const DeviceFile& file) {
   std::vector<std::string> names;
@@ -52,14 +53,16 @@ class DeviceBody::Impl {
   SafeMotion& motion() { return motion_; }
   const DeviceFile& file() const { return file_; }
 
-  Result<void> start(const BeforeJump& before_jump) {
+  Result<void> start(const BeforeJump& before_jump, const ShouldContinue& should_continue) {
     SOMATO_TRY_VOID(io_.start());
     is_on_ = true;
     SOMATO_TRY_VOID(begin_motion());
     SOMATO_TRY_VOID(wait_for_frame());
     reader_.prepare(state_.readings);
     SOMATO_TRY_VOID(permit_jump(before_jump));
-    return begin().and_then([&] { return switch_on(); }).and_then([&] { return begin(); });
+    return begin().and_then([&] { return switch_on(should_continue); }).and_then([&] {
+      return begin();
+    });
   }
 
   Result<void> begin() {
@@ -195,12 +198,15 @@ class DeviceBody::Impl {
   }
 
   // Servos of unknown position jump, one after the other.
-  Result<void> switch_on() {
-    const auto always = [] { return Result<void>(); };
+  Result<void> switch_on(const ShouldContinue& should_continue) {
+    const auto check_stop = [&]() -> Result<void> {
+      if (!should_continue || should_continue()) return {};
+      return fail(ErrorKind::kInterrupted, "the start of the device was interrupted");
+    };
     for (std::size_t i = 0; i < file_.servos.size(); ++i) {
       if (!std::isnan(io_.reports()[i].position)) continue;
       motion_.switch_on(i);
-      SOMATO_TRY_VOID(pass(kSwitchOn, always));
+      SOMATO_TRY_VOID(pass(kSwitchOn, check_stop));
     }
     return {};
   }
@@ -324,9 +330,10 @@ DeviceBody::~DeviceBody() {
 
 Result<std::unique_ptr<DeviceBody>> DeviceBody::start(
     const DeviceFile& file, wire::Lines& lines,
-    const std::function<Result<void>(const ServoSettings& servo)>& before_jump) {
+    const std::function<Result<void>(const ServoSettings& servo)>& before_jump,
+    const std::function<bool()>& should_continue) {
   std::unique_ptr<DeviceBody> body(new DeviceBody(std::make_unique<Impl>(file, lines)));
-  SOMATO_TRY_VOID(body->impl_->start(before_jump));
+  SOMATO_TRY_VOID(body->impl_->start(before_jump, should_continue));
   return body;
 }
 

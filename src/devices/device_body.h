@@ -31,10 +31,12 @@ class DeviceBody : public Body {
   /// the body. A servo whose position is unknown (SSC-32 after power-up) jumps to its resting
   /// position, one servo after the other. Errors (kSystem): a board that does not answer or sends
   /// nothing; (kData): a servo outside of its limits or with an error; a line too slow for the
-  /// period; those of `before_jump`, which is called before the first servo jumps.
+  /// period; those of `before_jump`, which is called before the first servo jumps; (kInterrupted):
+  /// `should_continue` has returned false, and all servos are off again.
   static Result<std::unique_ptr<DeviceBody>> start(
       const DeviceFile& file, wire::Lines& lines,
-      const std::function<Result<void>(const ServoSettings& servo)>& before_jump = {});
+      const std::function<Result<void>(const ServoSettings& servo)>& before_jump = {},
+      const std::function<bool()>& should_continue = {});
 
   DeviceBody(const DeviceBody&) = delete;
   DeviceBody(DeviceBody&&) = delete;

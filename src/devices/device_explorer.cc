@@ -89,18 +89,19 @@ Result<void> DeviceExplorer::place(std::size_t thing, std::size_t trial) {
   return placed;
 }
 
-Result<void> DeviceExplorer::start() {
+Result<void> DeviceExplorer::start(const ExploreOptions& options) {
   lines_.reset();
   SOMATO_TRY(lines_, surroundings_.open_lines());
-  SOMATO_TRY(body_, DeviceBody::start(file_, *lines_));
+  SOMATO_TRY(body_, DeviceBody::start(file_, *lines_, {}, options.limits.should_continue));
   if (surroundings_.on_switch) surroundings_.on_switch(*lines_, body_->relax_bytes());
   return {};
 }
 
-Result<DeviceBody*> DeviceExplorer::body() {
+Result<DeviceBody*> DeviceExplorer::body(const ExploreOptions& options) {
   if (body_) return body_.get();
-  auto started = start();
+  auto started = start(options);
   if (started) return body_.get();
+  if (started.error().kind == ErrorKind::kInterrupted) return fail(std::move(started.error()));
   started.error().kind = ErrorKind::kUnavailable;
   return fail(std::move(started.error()));
 }
@@ -157,7 +158,7 @@ Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t
   SOMATO_TRY_VOID(permit());
   // Servos that start may jump: hands are away then.
   SOMATO_TRY_VOID(place(thing, trial));
-  SOMATO_TRY(DeviceBody* const started, body());
+  SOMATO_TRY(DeviceBody* const started, body(options));
   const std::shared_ptr<void> watch = surroundings_.watch ? surroundings_.watch() : nullptr;
   const Exploration named{labels(thing, trial), {}, {}};
   auto explored = explore_on(*started, named, options);

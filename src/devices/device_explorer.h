@@ -87,8 +87,8 @@ class DeviceExplorer : public Explorer {
 
   Result<void> permit();
   Result<void> place(std::size_t thing, std::size_t trial);
-  Result<void> start();
-  Result<DeviceBody*> body();
+  Result<void> start(const ExploreOptions& options);
+  Result<DeviceBody*> body(const ExploreOptions& options);
   Result<Exploration> explore_with(Body& body) const;
   Result<Exploration> explore_on(DeviceBody& body, const Exploration& named,
                                  const ExploreOptions& options);

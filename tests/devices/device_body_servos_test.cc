@@ -173,6 +173,24 @@ TEST_P(ServoFaults, AStoppedHandHoldsWithOneCommandInAPeriod) {
   EXPECT_LE(lines.writes, static_cast<std::size_t>(2.0 * periods) + 5);
 }
 
+// The servos of an SSC-32 jump to their resting positions one after the other when it starts.
+TEST_P(ServoFaults, AStartThatIsInterruptedSwitchesThemOffAtOnce) {
+  if (measures()) return;
+  auto& lines = fingers_.device.lines;
+  double jumped = 0.0;
+  const auto should_continue = [&] {
+    if (jumped == 0.0 && fingers_.servos().driven_position(0)) jumped = lines.now();
+    return jumped == 0.0;
+  };
+  const auto started = DeviceBody::start(fingers_.device.file, lines, {}, should_continue);
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().kind, ErrorKind::kInterrupted);
+  EXPECT_GT(jumped, 0.0);
+  EXPECT_LT(lines.now() - jumped, 0.03);
+  EXPECT_FALSE(fingers_.servos().driven_position(1)) << "the second has not jumped";
+  EXPECT_TRUE(fingers_.are_off());
+}
+
 // A view waits between two steps, for as long as a person likes.
 TEST_P(ServoFaults, AWaitThatIsExpectedIsNoFault) {
   const auto body = DeviceBody::start(fingers_.device.file, fingers_.device.lines);
