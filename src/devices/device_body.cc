@@ -60,7 +60,9 @@ class DeviceBody::Impl {
     SOMATO_TRY_VOID(wait_for_frame());
     reader_.prepare(state_.readings);
     SOMATO_TRY_VOID(permit_jump(before_jump));
-    return begin().and_then([&] { return switch_on(should_continue); }).and_then([&] { return begin(); });
+    return begin().and_then([&] { return switch_on(should_continue); }).and_then([&] {
+      return begin();
+    });
   }
 
   Result<void> begin() {

@@ -53,8 +53,8 @@ class ServoBus {
   /// nothing; valid until the next call.
   virtual std::span<const std::uint8_t> tick(std::span<const double> positions, double seconds) = 0;
 
-  /// Whether the last tick() contained the positions: a bus that waits for an answer first sends the
-  /// positions of a later tick.
+  /// Whether the last tick() contained the positions: a bus that waits for an answer first sends
+  /// the positions of a later tick.
   virtual bool has_sent_positions() const { return true; }
 
   /// Bytes that arrived at `now`; updates reports(). Allocates nothing.
