@@ -195,6 +195,7 @@ def main():
         return 0
     kept["where"] = where(arguments)
     use_as_proxy(arguments.priority)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # the programs that it has started end as well
     problems = measure_all(arguments, kept)
     if arguments.update:
         update_page(kept)
