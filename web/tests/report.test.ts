@@ -5,7 +5,7 @@ import type { Locator, Page } from "playwright-core";
 import { beforeAll, describe, expect, test } from "vitest";
 
 import { screenshotPath } from "./browser";
-import { figureOf, goTo, readoutAt, ReportBrowser, savedRows } from "./report_browser";
+import { figureOf, goTo, readoutAt, ReportBrowser, savedRows, scrollTo } from "./report_browser";
 import { reportFixture } from "./report_fixture";
 
 const report = new ReportBrowser();
@@ -41,7 +41,8 @@ describe("in one report", () => {
   test("a system of a question opens from its table", async () => {
     const fold = page.locator(".fold");
     expect(await fold.locator("[data-cell]").count()).toBe(0);
-    await page.locator(".question tbody a").click();
+    const link = await scrollTo(page.locator(".question tbody a"));
+    await link.click();
     await expect.poll(() => fold.locator("[data-cell]").count()).toBeGreaterThan(120);
     expect(await fold.evaluate((one: HTMLDetailsElement) => one.open)).toBe(true);
   });

@@ -73,7 +73,24 @@ export async function goTo(page: Page, id: string): Promise<Locator> {
   await section.locator("details.block").evaluateAll((all) => all.forEach((one) => one.setAttribute("open", "")));
   await page.evaluate((hash) => (location.hash = hash), `${id}?`);
   await page.waitForFunction((of) => !document.querySelector(`[id="${of}"] .lazy:empty`), id);
+  await waitForVisibleParts(page);
   return section;
+}
+
+/** Scrolls to a place, which then stays where it is: a part that is drawn above it while a button is pressed moves it away. */
+export async function scrollTo(place: Locator): Promise<Locator> {
+  await place.scrollIntoViewIfNeeded();
+  await waitForVisibleParts(place.page());
+  return place;
+}
+
+/** Waits until the parts in and near the visible area are drawn, whose heights differ from those reserved for them. */
+async function waitForVisibleParts(page: Page): Promise<void> {
+  await page.waitForFunction(() => {
+    const pending = [...document.querySelectorAll(".lazy:empty")].filter((part) => part.checkVisibility());
+    const areas = pending.map((part) => part.getBoundingClientRect());
+    return !areas.some(({ top, bottom }) => bottom > -500 && top < innerHeight + 500);
+  });
 }
 
 export function figureOf(section: Locator, title: string): Locator {
