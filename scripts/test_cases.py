@@ -28,7 +28,7 @@ def run_ctest(build, selection, environment):
     junit.unlink(missing_ok=True)
     for report in [*(build / "test_cases").glob("*.json"), *(build / TIMES).glob("*")]:
         report.unlink()
-    subprocess.run(["ctest", "--test-dir", str(build), "-j", str(os.cpu_count()),
+    subprocess.run(["ctest", "--test-dir", str(build), "-j", str(2 * os.cpu_count()),
                     "--output-on-failure", "--no-tests=error", "--output-junit", str(junit),
                     *selection], env=dict(os.environ, **environment))
     if not junit.is_file():
