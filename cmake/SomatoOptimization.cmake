@@ -10,3 +10,20 @@ set(SOMATO_OPTIMIZATION_OF_OTHERS "")
 if(SOMATO_BUILD_FOR_TESTS)
   set(SOMATO_OPTIMIZATION_OF_OTHERS $<$<NOT:$<CONFIG:Release>>:-O0>)
 endif()
+
+# somato_link_optimized_templates(PROGRAM): of the functions that several sources instantiate, a linker keeps the
+# first. In a program whose first sources are not optimized, those of strings and vectors would not be either: an
+# optimized source that instantiates all of them is the first. It halves the time of tests that write long texts.
+function(somato_link_optimized_templates program)
+  if(NOT SOMATO_BUILD_FOR_TESTS OR CMAKE_BUILD_TYPE STREQUAL "Release")
+    return()
+  endif()
+  if(NOT TARGET standard_templates)
+    add_library(standard_templates OBJECT ${PROJECT_SOURCE_DIR}/cmake/standard_templates.cc)
+    target_compile_features(standard_templates PRIVATE cxx_std_20)
+    target_include_directories(standard_templates PRIVATE ${PROJECT_SOURCE_DIR}/include)
+  endif()
+  add_dependencies(${program} standard_templates)
+  target_link_options(${program} PRIVATE $<TARGET_OBJECTS:standard_templates>)
+  set_property(TARGET ${program} APPEND PROPERTY LINK_DEPENDS $<TARGET_OBJECTS:standard_templates>)
+endfunction()

@@ -80,14 +80,6 @@ class Parser {
     return command_.run(arguments);
   }
 
-  std::vector<std::string> flags() const {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app_.get_options()) {
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    }
-    return names;
-  }
-
  private:
   // "-" is standard input for an input file, and standard output for an output file.
   void take_standard_streams(Arguments& arguments) const {
@@ -334,6 +326,20 @@ std::vector<std::string> command_words(int argc, char** argv) {
   return words;
 }
 
+// Adds all commands to `root`, but the flags of those that `words` may name only: all of them take
+// longer to declare than many a command takes.
+std::vector<Parser> parsers_of(const std::vector<Command>& commands,
+                               const std::vector<std::string>& words, CLI::App& root) {
+  std::vector<Parser> parsers;
+  for (const Command& command : commands) {
+    CLI::App& place = place_of(root, command.name, command.text);
+    const std::string first = command.name.substr(0, command.name.find(' '));
+    if (std::find(words.begin(), words.end(), first) != words.end())
+      parsers.emplace_back(place, command);
+  }
+  return parsers;
+}
+
 // Output that was not written is a failure, even if it is detected at the end.
 int finish(int code) {
   if (code != 0 || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return code;
@@ -349,18 +355,14 @@ int run_command_line(int argc, char** argv, const std::vector<Command>& commands
   root.set_version_flag("-V,--version", "somato " SOMATO_VERSION);
   root.require_subcommand(1);
   root.formatter(std::make_shared<HelpFormat>());
-  std::vector<Parser> parsers;
-  parsers.reserve(commands.size());
-  for (const Command& command : commands) {
-    parsers.emplace_back(place_of(root, command.name, command.text), command);
-  }
+  std::vector<std::string> words = command_words(argc, argv);
+  const std::vector<Parser> parsers = parsers_of(commands, words, root);
   root.footer(
       "A map in three steps:\n"
       "  somato som train data.csv -o my.map --standardize\n"
       "  somato som quality my.map data.csv\n"
       "  somato som plot my.map data.csv -o my.svg\n"
       "All flags of a command: somato som train --help");
-  std::vector<std::string> words = command_words(argc, argv);
   std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
     root.parse(std::move(words));
