@@ -10,12 +10,12 @@
 namespace somato {
 namespace {
 
-constexpr std::uintmax_t kEightGigabytes = std::uintmax_t{8} << 30;
-// Of files that are read to their end.
+constexpr std::uintmax_t kFiveGigabytes = std::uintmax_t{5} << 30;
+// The size of files that are read to their end.
 #ifdef SOMATO_TESTS_SANITIZED
-constexpr std::uintmax_t kReadBytes = kEightGigabytes / 8;
+constexpr std::uintmax_t kReadBytes = kFiveGigabytes / 5;
 #else
-constexpr std::uintmax_t kReadBytes = kEightGigabytes;
+constexpr std::uintmax_t kReadBytes = kFiveGigabytes;
 #endif
 
 class RecordingFiles : public ProgramTest {
@@ -131,9 +131,9 @@ TEST_F(RecordingFiles, LargeFilesTakeLittleMemory) {
   std::ofstream attachment(path("attachment"), std::ios::binary);
   attachment << whole.substr(0, header) << '\x09';
   for (int shift = 0; shift < 64; shift += 8) {
-    attachment << static_cast<char>(kEightGigabytes >> shift & 0xFF);
+    attachment << static_cast<char>(kFiveGigabytes >> shift & 0xFF);
   }
-  attachment.seekp(static_cast<std::streamoff>(header + 9 + kEightGigabytes));
+  attachment.seekp(static_cast<std::streamoff>(header + 9 + kFiveGigabytes));
   attachment << whole.substr(header);
   attachment.close();
   const ProgramRun attached = run_small({"inspect", "attachment"});
