@@ -68,6 +68,9 @@ Result<std::unique_ptr<GrowingRecording>> GrowingRecording::begin(FileSystem& fi
   SOMATO_TRY(auto file, create_partial_file(files, path, header_size()));
   RecordingFileParameters parameters;
   parameters.flush_after = kFlushAfter;
+  // Many small chunks for a short time: to compress and to decompress them costs as much as all
+  // else, and the copy that remains is compressed.
+  parameters.compression = Compression::kNone;
   auto writer = RecordingWriter::write_into(std::move(file), partial_path(path), parameters);
   if (!writer) {
     (void)files.remove(partial_path(path));

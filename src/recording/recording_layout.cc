@@ -72,7 +72,7 @@ ExplorationMessage parse_message(const Json& json) {
   return parse_begin(json, std::move(message));
 }
 
-// Text that is the same in JSON is written without the library, which is fifty times slower.
+// The library is slow, and most texts are the same in JSON.
 std::string quoted(const std::string& text) {
   const bool is_plain = std::all_of(text.begin(), text.end(), [](char c) {
     return c >= ' ' && c <= '~' && c != '"' && c != '\\';
