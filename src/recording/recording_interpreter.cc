@@ -36,7 +36,7 @@ bool fits(const ChannelDescription& description, std::size_t elements) {
   return filled == elements && (names == 0 || names == elements);
 }
 
-// What is written when an exploration that has begun continues or ends.
+// The message that is written when an exploration that has begun continues or ends.
 std::string later_json(ExplorationMessage begun, ExplorationMessage::Event event) {
   begun.event = event;
   return exploration_json(begun);
