@@ -10,12 +10,12 @@
 
 #include "commands.h"
 #include "exports/recording_export.h"
+#include "files/file_system.h"
 #include "output.h"
 #include "recording/checked_explorations.h"
 #include "recording/exploration_frames.h"
 #include "simulation/recorded_scenes.h"
 #include "somato/recording/format.h"
-#include "somato/recording/recording_file.h"
 #include "study_data.h"
 #include "terminal.h"
 #include "wording.h"
@@ -48,14 +48,6 @@ class StoppableExplorations final : public FrameSink {
   FrameSink* to_;
 };
 
-Result<void> convert_file(const std::string& path, FrameSink& to) {
-  SOMATO_TRY(RecordingReader reader, RecordingReader::open(path));
-  for (;;) {
-    SOMATO_TRY(const bool found, reader.next(to));
-    if (!found) return {};
-  }
-}
-
 Result<void> convert_folder(const std::string& path, FrameSink& to) {
   SOMATO_TRY(const Recording recording, read_study_data(RecordingFormat::kAutomatic, path));
   SOMATO_TRY_VOID(validate(recording));
@@ -87,8 +79,9 @@ Result<void> run_convert(const Arguments& arguments) {
   CheckedExplorations checked(*to);
   StoppableExplorations stoppable(checked);
   std::error_code failure;
-  auto converted = std::filesystem::is_directory(from, failure) ? convert_folder(from, stoppable)
-                                                                : convert_file(from, stoppable);
+  auto converted = std::filesystem::is_directory(from, failure)
+                       ? convert_folder(from, stoppable)
+                       : hand_file(operating_system(), from, stoppable);
   if (converted && checked.count() == 0) {
     converted = fail(ErrorKind::kData, "there are no explorations", from);
   }

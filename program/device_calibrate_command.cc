@@ -14,6 +14,7 @@
 #include "device.h"
 #include "devices/calibration.h"
 #include "devices/device_body.h"
+#include "devices/device_io.h"
 #include "files/whole_file.h"
 #include "placing.h"
 #include "terminal.h"
@@ -153,8 +154,8 @@ Result<void> run_calibrate(const Arguments& arguments) {
   SOMATO_TRY(const auto one, devices::one_servo(file, arguments.text("servo")));
   catch_stop_requests();
   SOMATO_TRY(const auto lines, open_lines(one));
+  const ServoGuard guard(*lines, devices::relax_bytes_of(one));
   SOMATO_TRY(const auto body, DeviceBody::start(one, *lines, permit_jump));
-  const ServoGuard guard(*lines, body->relax_bytes());
   const auto servo = std::find_if(file.servos.begin(), file.servos.end(), [&](const auto& each) {
     return each.name == one.servos.front().name;
   });

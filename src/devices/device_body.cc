@@ -49,13 +49,12 @@ class DeviceBody::Impl {
   const BodyState& state() const { return state_; }
   const StateLog& history() const { return history_; }
   bool is_on() const { return is_on_; }
-  std::span<const std::uint8_t> relax_bytes() const { return io_.relax_bytes(); }
   SafeMotion& motion() { return motion_; }
   const DeviceFile& file() const { return file_; }
 
   Result<void> start(const BeforeJump& before_jump, const ShouldContinue& should_continue) {
+    is_on_ = true;  // A start that fails may have switched some of them on.
     SOMATO_TRY_VOID(io_.start());
-    is_on_ = true;
     SOMATO_TRY_VOID(begin_motion());
     SOMATO_TRY_VOID(wait_for_frame());
     reader_.prepare(state_.readings);
@@ -359,10 +358,6 @@ void DeviceBody::expect_pause() {
 
 bool DeviceBody::is_on() const {
   return impl_->is_on();
-}
-
-std::span<const std::uint8_t> DeviceBody::relax_bytes() const {
-  return impl_->relax_bytes();
 }
 
 void DeviceBody::relax() noexcept {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -32,7 +31,8 @@ class DeviceBody : public Body {
   /// position, one servo after the other. Errors (kSystem): a board that does not answer or sends
   /// nothing; (kData): a servo outside of its limits or with an error; a line too slow for the
   /// period; those of `before_jump`, which is called before the first servo jumps; (kInterrupted):
-  /// `should_continue` has returned false, and all servos are off again.
+  /// `should_continue` has returned false. After an error or an exception all servos are off again;
+  /// relax_bytes_of() is for a signal that ends the program meanwhile.
   static Result<std::unique_ptr<DeviceBody>> start(
       const DeviceFile& file, wire::Lines& lines,
       const std::function<Result<void>(const ServoSettings& servo)>& before_jump = {},
@@ -66,10 +66,6 @@ class DeviceBody : public Body {
 
   /// Switches all servos off, now; nothing moves afterwards.
   void relax() noexcept;
-
-  /// The bytes that switch all servos off, for the first of lines_of(): a signal handler can send
-  /// them at any moment. Valid as long as the body; empty without servos.
-  std::span<const std::uint8_t> relax_bytes() const;
 
   class Impl;
 

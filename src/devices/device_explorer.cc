@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bodies/driving.h"
+#include "devices/device_io.h"
 
 namespace somato::devices {
 namespace {
@@ -42,7 +43,8 @@ DeviceExplorer::DeviceExplorer(DeviceFile file, std::vector<ExploredThing> thing
     : Explorer(std::move(things), fmt::format("device {}", file.settings.name)),
       file_(std::move(file)),
       exploring_(std::move(exploring)),
-      surroundings_(std::move(surroundings)) {}
+      surroundings_(std::move(surroundings)),
+      relax_bytes_(relax_bytes_of(file_)) {}
 
 Result<std::unique_ptr<Explorer>> DeviceExplorer::create(DeviceFile file,
                                                          std::vector<ExploredThing> things,
@@ -89,11 +91,13 @@ Result<void> DeviceExplorer::place(std::size_t thing, std::size_t trial) {
   return placed;
 }
 
+// A signal may end the program while the servos are being switched on.
 Result<void> DeviceExplorer::start(const ExploreOptions& options) {
+  end_body();
   lines_.reset();
   SOMATO_TRY(lines_, surroundings_.open_lines());
+  if (surroundings_.on_switch) surroundings_.on_switch(*lines_, relax_bytes_);
   SOMATO_TRY(body_, DeviceBody::start(file_, *lines_, {}, options.limits.should_continue));
-  if (surroundings_.on_switch) surroundings_.on_switch(*lines_, body_->relax_bytes());
   return {};
 }
 
@@ -101,15 +105,15 @@ Result<DeviceBody*> DeviceExplorer::body(const ExploreOptions& options) {
   if (body_) return body_.get();
   auto started = start(options);
   if (started) return body_.get();
+  end_body();
   if (started.error().kind == ErrorKind::kInterrupted) return fail(std::move(started.error()));
   started.error().kind = ErrorKind::kUnavailable;
   return fail(std::move(started.error()));
 }
 
 void DeviceExplorer::end_body() {
-  if (!body_) return;
-  body_->relax();
-  if (surroundings_.on_switch) surroundings_.on_switch(*lines_, {});
+  if (body_) body_->relax();
+  if (lines_ && surroundings_.on_switch) surroundings_.on_switch(*lines_, {});
   body_.reset();
 }
 
@@ -158,8 +162,8 @@ Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t
   SOMATO_TRY_VOID(permit());
   // Servos that start may jump: hands are away then.
   SOMATO_TRY_VOID(place(thing, trial));
-  SOMATO_TRY(DeviceBody* const started, body(options));
   const std::shared_ptr<void> watch = surroundings_.watch ? surroundings_.watch() : nullptr;
+  SOMATO_TRY(DeviceBody* const started, body(options));
   const Exploration named{labels(thing, trial), {}, {}};
   auto explored = explore_on(*started, named, options);
   if (explored) {

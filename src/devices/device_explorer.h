@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,14 +33,16 @@ struct DeviceSurroundings {
   /// Has a thing placed before the body, which waits, before it is explored for the given trial.
   std::function<Result<void>(const ExploredThing& thing, std::size_t trial)> place;
 
-  /// Called when the servos are on: the bytes that switch them off, for the first of lines_of(), so
-  /// that a signal handler can send them. They are valid until the next call, which has none.
+  /// Called before the servos are switched on: the bytes that switch them off, for the first of
+  /// lines_of(), so that a signal handler can send them. They are valid until the next call, which
+  /// has none, when the servos are off.
   std::function<void(wire::Lines& lines, std::span<const std::uint8_t> relax_bytes)> on_switch;
 
   /// How often the program was continued after it had been stopped; may be empty.
   std::function<std::size_t()> continued;
 
-  /// Called before each exploration; what it returns is kept until the exploration ends.
+  /// Called before each exploration, and before the device is started for it; what it returns is
+  /// kept until the exploration ends.
   std::function<std::shared_ptr<void>()> watch;
 
   /// Called before the device moves again after a fault: a person permits it. An error
@@ -97,6 +100,7 @@ class DeviceExplorer : public Explorer {
   DeviceFile file_;
   DeviceExploring exploring_;
   DeviceSurroundings surroundings_;
+  std::vector<std::uint8_t> relax_bytes_;
   std::unique_ptr<wire::Lines> lines_;
   std::optional<Error> fault_;        // That has stopped the device.
   std::unique_ptr<DeviceBody> body_;  // As long as it works; ends before its lines.

@@ -19,6 +19,10 @@ namespace somato::devices {
 /// The bus of a device's servos; nullptr without servos.
 std::unique_ptr<ServoBus> make_bus(const DeviceFile& file);
 
+/// The bytes that switch all servos of a device off, for the first of lines_of(): a signal handler
+/// can send them at any moment, even while the device starts. Empty without servos.
+std::vector<std::uint8_t> relax_bytes_of(const DeviceFile& file);
+
 /// The decoder of a device's sensor line.
 std::unique_ptr<SensorStream> make_stream(const FrameLine& line);
 

@@ -52,6 +52,12 @@ std::unique_ptr<ServoBus> make_bus(const DeviceFile& file) {
   return feetech_bus(file, "SCS");
 }
 
+std::vector<std::uint8_t> relax_bytes_of(const DeviceFile& file) {
+  const std::unique_ptr<ServoBus> bus = make_bus(file);
+  if (!bus) return {};
+  return {bus->relax_bytes().begin(), bus->relax_bytes().end()};
+}
+
 std::unique_ptr<SensorStream> make_stream(const FrameLine& line) {
   switch (line.format) {
     case FrameFormat::kFrames:

@@ -65,8 +65,8 @@ class ServoBus {
   /// until the next call. A bus works without it, but then reports are older.
   virtual std::span<const std::uint8_t> follow_up() { return {}; }
 
-  /// The bytes that switch all servos off. Constant after start(), so that they can be sent at any
-  /// moment, even by a signal handler.
+  /// The bytes that switch all servos off. They never change, so that they can be sent at any
+  /// moment, even by a signal handler and during start().
   virtual std::span<const std::uint8_t> relax_bytes() const = 0;
 
   /// One for each servo.

@@ -4,6 +4,8 @@
 #include <optional>
 #include <tuple>
 
+#include "somato/recording/recording_file.h"
+
 namespace somato {
 namespace {
 
@@ -69,6 +71,14 @@ Result<void> hand_frames(const Exploration& exploration, FrameSink& to) {
     SOMATO_TRY_VOID(to.frame(placed.channel, channel.frames.row(placed.frame), placed.time, valid));
   }
   return to.end_exploration();
+}
+
+Result<void> hand_file(FileSystem& files, const std::string& path, FrameSink& to) {
+  SOMATO_TRY(RecordingReader reader, RecordingReader::open(files, path));
+  for (bool more = true; more;) {
+    SOMATO_TRY(more, reader.next(to));
+  }
+  return {};
 }
 
 }  // namespace somato

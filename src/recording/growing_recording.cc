@@ -34,15 +34,6 @@ class CountingSink final : public FrameSink {
   std::size_t count_ = 0;
 };
 
-// Hands the explorations of the file at `path` to `to`.
-Result<void> hand_all(FileSystem& files, const std::string& path, FrameSink& to) {
-  SOMATO_TRY(auto reader, RecordingReader::open(files, path));
-  for (bool more = true; more;) {
-    SOMATO_TRY(more, reader.next(to));
-  }
-  return {};
-}
-
 // The bytes before the first exploration.
 std::size_t header_size() {
   return kMcapMagic.size() +
@@ -68,6 +59,9 @@ Result<std::unique_ptr<GrowingRecording>> GrowingRecording::begin(FileSystem& fi
   SOMATO_TRY(auto file, create_partial_file(files, path, header_size()));
   RecordingFileParameters parameters;
   parameters.flush_after = kFlushAfter;
+  // Many small chunks for a short time: to compress and to decompress them costs as much as all
+  // else, and the copy that remains is compressed.
+  parameters.compression = Compression::kNone;
   auto writer = RecordingWriter::write_into(std::move(file), partial_path(path), parameters);
   if (!writer) {
     (void)files.remove(partial_path(path));
@@ -175,13 +169,13 @@ Result<void> GrowingRecording::finish() {
 // Without drafts, with the labels that were given last, in chunks of the usual size.
 Result<void> GrowingRecording::copy() const {
   SOMATO_TRY(auto file, RecordingFile::begin(*files_, path_));
-  SOMATO_TRY_VOID(hand_all(*files_, partial_path(path_), file));
+  SOMATO_TRY_VOID(hand_file(*files_, partial_path(path_), file));
   return file.finish();
 }
 
 Result<void> GrowingRecording::check_copy() const {
   CountingSink read;
-  SOMATO_TRY_VOID(hand_all(*files_, path_, read));
+  SOMATO_TRY_VOID(hand_file(*files_, path_, read));
   if (read.count() == count()) return {};
   return fail(ErrorKind::kSystem,
               fmt::format("{} of {} explorations can be read back", read.count(), count()), path_);

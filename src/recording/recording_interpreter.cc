@@ -36,6 +36,12 @@ bool fits(const ChannelDescription& description, std::size_t elements) {
   return filled == elements && (names == 0 || names == elements);
 }
 
+// The message that is written when an exploration that has begun continues or ends.
+std::string later_json(ExplorationMessage begun, ExplorationMessage::Event event) {
+  begun.event = event;
+  return exploration_json(begun);
+}
+
 }  // namespace
 
 Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret(const McapMessage& message) {
@@ -128,18 +134,12 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_exploratio
   using Event = ExplorationMessage::Event;
   if (foreign_) return file_->bad("an exploration begins after frames");
   decided_ = true;
+  if (open_ && json == continue_json_) return go_on(Event::kContinue);
+  if (open_ && json == end_json_) return go_on(Event::kEnd);
   Result<ExplorationMessage> message = parse_exploration_json(json);
   if (!message) return file_->bad(message.error().what, message.error().advice);
   const bool same = open_ && message->index == exploration_.index;
-  if (message->event == Event::kContinue && same) {
-    gap_ = false;
-    return Meaning::kContinue;
-  }
-  if (message->event == Event::kEnd && same) {
-    open_ = false;
-    gap_ = false;
-    return Meaning::kEnd;
-  }
+  if (same && message->event != Event::kBegin) return go_on(message->event);
   if (message->event == Event::kEnd || (message->event == Event::kContinue && !gap_)) {
     return file_->bad(
         fmt::format("exploration {} ends or continues, but has not begun", message->index + 1));
@@ -151,10 +151,19 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_exploratio
   return begin(std::move(*message), Meaning::kBegin);
 }
 
+// The open exploration continues or ends.
+RecordingInterpreter::Meaning RecordingInterpreter::go_on(ExplorationMessage::Event event) {
+  gap_ = false;
+  open_ = event != ExplorationMessage::Event::kEnd;
+  return open_ ? Meaning::kContinue : Meaning::kEnd;
+}
+
 Result<RecordingInterpreter::Meaning> RecordingInterpreter::begin(ExplorationMessage message,
                                                                   Meaning meaning) {
   open_ = false;
   exploration_ = std::move(message);
+  continue_json_ = later_json(exploration_, ExplorationMessage::Event::kContinue);
+  end_json_ = later_json(exploration_, ExplorationMessage::Event::kEnd);
   exploration_.labels = file_->notes().labels(exploration_.index, std::move(exploration_.labels));
   gap_ = false;
   SOMATO_TRY_VOID(open_channels());

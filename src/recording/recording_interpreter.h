@@ -89,6 +89,7 @@ class RecordingInterpreter {
   const TopicType& topic_of_schema(const McapSchema& schema, const std::string& message_encoding);
   Result<ChannelDescription> describe(const McapChannel& channel, const TopicChannel& source);
   Result<Meaning> interpret_exploration(std::string_view json);
+  Meaning go_on(ExplorationMessage::Event event);
   Result<Meaning> begin(ExplorationMessage message, Meaning meaning);
   Result<void> open_channels();
   Result<Meaning> interpret_frames(Stream& stream, const McapMessage& message);
@@ -104,6 +105,8 @@ class RecordingInterpreter {
   std::map<std::string, std::size_t> channel_by_name_;
   std::vector<InterpretedChannel> channels_;
   ExplorationMessage exploration_;
+  std::string continue_json_;  // The messages that continue or end it, as they are written here.
+  std::string end_json_;
   std::vector<Frame> frames_;
   std::vector<double> values_;  // The frame that is being taken.
   std::size_t described_ = 0;   // Bytes of metadata.

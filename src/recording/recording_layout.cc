@@ -15,7 +15,6 @@ namespace somato {
 namespace {
 
 using Json = nlohmann::json;
-using OrderedJson = nlohmann::ordered_json;  // For writing; slow to read.
 
 constexpr std::string_view kJoints = "joints";
 constexpr std::string_view kControl = "exploration";
@@ -71,6 +70,14 @@ ExplorationMessage parse_message(const Json& json) {
   message.index = json.at("index").get<std::uint64_t>();
   if (message.event == ExplorationMessage::Event::kEnd) return message;
   return parse_begin(json, std::move(message));
+}
+
+// The library is slow, and most texts are the same in JSON.
+std::string quoted(const std::string& text) {
+  const bool is_plain = std::all_of(text.begin(), text.end(), [](char c) {
+    return c >= ' ' && c <= '~' && c != '"' && c != '\\';
+  });
+  return is_plain ? '"' + text + '"' : Json(text).dump();
 }
 
 // Runs `parse` on the JSON in `text`; exceptions become errors.
@@ -175,16 +182,18 @@ bool is_exploration_schema(const McapSchema& schema) {
 }
 
 std::string exploration_json(const ExplorationMessage& message) {
-  OrderedJson json{{"event", name_of(message.event)}, {"index", message.index}};
-  if (message.event == ExplorationMessage::Event::kEnd) return json.dump();
-  json["labels"] = OrderedJson::array();
+  std::string json =
+      fmt::format(R"({{"event":"{}","index":{})", name_of(message.event), message.index);
+  if (message.event == ExplorationMessage::Event::kEnd) return json + "}";
+  const auto separator = [&] { return json.ends_with('[') ? "" : ","; };
+  json += R"(,"labels":[)";
   for (const Label& label : message.labels) {
-    json["labels"].push_back({{"name", label.name}, {"value", label.value}});
+    json += fmt::format(R"({}{{"name":{},"value":{}}})", separator(), quoted(label.name),
+                        quoted(label.value));
   }
-  json["source"] = message.source;
-  json["channels"] = message.channels;
-  json["zero"] = std::to_string(message.zero);
-  return json.dump();
+  json += fmt::format(R"(],"source":{},"channels":[)", quoted(message.source));
+  for (const std::string& name : message.channels) json += separator() + quoted(name);
+  return json + fmt::format(R"(],"zero":"{}"}})", message.zero);
 }
 
 Result<ExplorationMessage> parse_exploration_json(std::string_view json) {

@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/faulty_fingers.h"
@@ -128,6 +133,75 @@ TEST_F(DeviceExplorerTest, APersonMayPermitItWhenTheNextExplorationBegins) {
   EXPECT_TRUE(explorer->explore(0, 2));
   EXPECT_EQ(faults, (std::vector<std::string>(2, "no valid sensor frame arrived for 3 periods")));
 }
+
+// Ends the start of a device when its first servo is on.
+class EndedStart : public testing::LentLines {
+ public:
+  EndedStart(FaultyFingers& fingers, std::function<void()> end)
+      : LentLines(fingers.device.lines), fingers_(fingers), end_(std::move(end)) {}
+  void wait(double until) override {
+    LentLines::wait(until);
+    if (end_ && fingers_.servos().driven_position(0)) std::exchange(end_, nullptr)();
+  }
+
+ private:
+  FaultyFingers& fingers_;
+  std::function<void()> end_;
+};
+
+class DeviceStartTest : public ::testing::TestWithParam<BusKind> {
+ protected:
+  // An explorer whose start is ended so; afterwards it starts as usual.
+  std::unique_ptr<Explorer> explorer(std::function<void()> end) {
+    DeviceSurroundings surroundings;
+    surroundings.open_lines = [this, end = std::move(end)]() mutable {
+      return Result<std::unique_ptr<wire::Lines>>(
+          std::make_unique<EndedStart>(fingers_, std::exchange(end, nullptr)));
+    };
+    surroundings.on_switch = [this](wire::Lines&, std::span<const std::uint8_t> relax_bytes) {
+      relax_bytes_.assign(relax_bytes.begin(), relax_bytes.end());
+    };
+    DeviceFile file = fingers_.device.file;
+    file.settings.explore = ExploringMethod::kHolding;
+    file.settings.duration = 0.1;
+    Object ball;
+    ball.name = "ball";
+    return *DeviceExplorer::create(std::move(file), {{ball.name, ball, {}}}, {},
+                                   std::move(surroundings));
+  }
+
+  FaultyFingers fingers_{testing::faulty_device(GetParam())};
+  std::vector<std::uint8_t> relax_bytes_;  // That a signal handler would send.
+};
+
+TEST_P(DeviceStartTest, ASignalCanSwitchOffWhatTheStartHasSwitchedOn) {
+  std::vector<std::uint8_t> then;
+  const auto explorer = this->explorer([&] { then = relax_bytes_; });
+  ASSERT_TRUE(explorer->explore(0, 0));
+  ASSERT_FALSE(then.empty());
+  EXPECT_FALSE(fingers_.are_off());
+  ASSERT_TRUE(fingers_.device.lines.write(0, then));
+  EXPECT_TRUE(fingers_.are_off());
+}
+
+TEST_P(DeviceStartTest, AnExceptionLeavesItsServosOff) {
+  const auto explorer = this->explorer([] { throw std::runtime_error("the start is ended"); });
+  EXPECT_THROW((void)explorer->explore(0, 0), std::runtime_error);
+  EXPECT_TRUE(fingers_.are_off());
+  EXPECT_TRUE(explorer->explore(0, 0)) << "it can be started again";
+}
+
+TEST_P(DeviceStartTest, AnErrorLeavesItsServosOff) {
+  const auto explorer = this->explorer([&] { fingers_.sensor_line().hung_up = true; });
+  EXPECT_EQ(explorer->explore(0, 0).error().kind, ErrorKind::kUnavailable);
+  EXPECT_TRUE(fingers_.are_off());
+  EXPECT_TRUE(relax_bytes_.empty()) << "a signal handler has nothing left to send";
+}
+
+INSTANTIATE_TEST_SUITE_P(Buses, DeviceStartTest,
+                         ::testing::Values(BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts,
+                                           BusKind::kScs),
+                         [](const auto& bus) { return choice_name(bus.param); });
 
 // An exploration that was interrupted is no fault: the command that interrupted it may be followed
 // by another.

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ros/topic_type.h"
@@ -42,6 +44,36 @@ TEST(RecordingLayout, WhatIsNotInDegreesIsWrittenAsItIs) {
   const std::string message = frame_message(described("joints", "rad"), 0, values);
   EXPECT_EQ(positions_in(message), std::vector<double>{180.0});
   EXPECT_EQ(frame_values(described("touch", "deg"), false, std::vector<double>{180.0}), values);
+}
+
+// The JSON library, which does not write them, is the oracle.
+TEST(RecordingLayout, MessagesAboutExplorationsAreTheJsonOfTheirFields) {
+  using Event = ExplorationMessage::Event;
+  const ExplorationMessage empty;
+  const ExplorationMessage plain{
+      Event::kContinue,    3,         {{"object", "ball"}, {"size", ""}}, "the hand, with {}: 2%",
+      {"joints", "touch"}, 1500000000};
+  const ExplorationMessage odd{
+      Event::kBegin,     18446744073709551615U, {{"\"quoted\"", "a\\b\n\t\x01\x7f"}},
+      "Gr\u00f6\u00dfe", {"\u89e6\u899a"},      0};
+  for (ExplorationMessage message : {empty, plain, odd}) {
+    for (const auto& [event, name] : {std::pair{Event::kBegin, "begin"},
+                                      {Event::kContinue, "continue"},
+                                      {Event::kEnd, "end"}}) {
+      message.event = event;
+      nlohmann::ordered_json json{{"event", name}, {"index", message.index}};
+      if (event != Event::kEnd) {
+        json["labels"] = nlohmann::ordered_json::array();
+        for (const Label& label : message.labels) {
+          json["labels"].push_back({{"name", label.name}, {"value", label.value}});
+        }
+        json["source"] = message.source;
+        json["channels"] = message.channels;
+        json["zero"] = std::to_string(message.zero);
+      }
+      EXPECT_EQ(exploration_json(message), json.dump());
+    }
+  }
 }
 
 TEST(RecordingLayout, TheTopicOfExplorationsStaysFree) {
