@@ -97,6 +97,8 @@ class Session:
     def viewing(self):
         """Has the view explore, and names what was explored."""
         line = self.process.stdout.readline().decode()
+        if not line:
+            return  # killed before it has printed its address
         address, token = re.search(r"(http://[^/]+)/\?token=(\w+)", line).groups()
 
         def ask(path, command=None):
@@ -183,7 +185,7 @@ class Emulation:
 
     def __init__(self, program, folder):
         self.words = [program, "emulate", "--body", "hardness", "--bus", "ssc32", "--objects",
-                      "materials.toml", "--clock", "4", "-o", "d.toml"]
+                      "materials.toml", "--clock", "host", "-o", "d.toml"]
         self.folder = folder
 
     def __enter__(self):
