@@ -18,6 +18,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import tomllib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -25,9 +26,10 @@ from pathlib import Path
 from small_inputs import ROWS, STUDY
 
 LONGEST = 5.0  # seconds of the body's time that an exploration may take
-WALL = 120.0  # seconds after which an exploration counts as endless
+RUN = 120.0  # seconds of processor time after which an exploration counts as endless
+ENDLESS = 1200.0  # seconds after which a run that waits is killed
 PATIENCE = 1.0  # seconds until Ctrl-C is pressed
-STOP = 10.0  # seconds for ending after that, on a machine with other work
+STOP = 10.0  # seconds of processor time for ending after that, which other work on the machine does not change
 BODIES = {"simulation": "lucs2", "plan": "lucs2", "grasp": "lucs2", "closing": "lucs3",
           "texture_probe": "texture", "stroke": "texture", "hardness_probe": "hardness",
           "press": "hardness"}
@@ -90,9 +92,9 @@ class Runs:
             (place / "s.toml").write_text(f"[{table}]\n{key} = {value}\n", encoding="utf-8")
             words = ["explore", "--body", body, "--explorations", "1", "--longest", str(int(LONGEST)),
                      "--settings", "s.toml", "-o", "x.mcap", "--threads", "1"]
-            code, err = self.end(words, place, WALL, None)
+            code, err = self.end(words, place)
             if code is None:
-                return f"it did not end within {WALL:.0f} s"
+                return f"it did not end within {RUN:.0f} s of processor time"
             if code not in (0, 1, 2, 3):
                 return f"it ended with {code}: {err}"
             return self.judge_recording(place)
@@ -127,31 +129,47 @@ class Runs:
         return run
 
     def judge_stopped(self, words, place):
-        code, err = self.end(words, place, PATIENCE, signal.SIGINT)
+        code, err = self.end(words, place, interrupt=signal.SIGINT)
         if code is None:
-            return f"it did not end within {STOP:.0f} s of Ctrl-C"
+            return f"it did not end within {STOP:.0f} s of processor time after Ctrl-C"
         if code not in (0, 1, 2, 130):
             return f"it ended with {code}: {err}"
         left = [path.name for path in place.rglob("*.partial")]
         return f"it left {left}" if left else None
 
-    def end(self, words, place, patience, interrupt):
-        """The exit code, or None where it does not end, and the last line of standard error. After
-        `patience` seconds `interrupt` is sent, or where that is None the run is given up."""
+    def end(self, words, place, interrupt=None):
+        """The exit code, or None where it does not end, and the last line of standard error. The
+        signal `interrupt`, if there is one, is sent after PATIENCE."""
         process = subprocess.Popen([self.program, *words], cwd=place, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        err = b""
-        for limit in [patience, STOP] if interrupt else [patience]:
-            try:
-                err = process.communicate(timeout=limit)[1]
-                break
-            except subprocess.TimeoutExpired:
-                process.send_signal(interrupt or signal.SIGKILL)
+        if interrupt:
+            err = within(process, PATIENCE, RUN)
+            if err is None:
+                process.send_signal(interrupt)
+                err = within(process, ENDLESS, STOP)
         else:
+            err = within(process, ENDLESS, RUN)
+        if err is None:
             process.kill()
             process.communicate()
             return None, ""
         return process.returncode, err.decode(errors="replace").strip().rpartition("\n")[2]
+
+
+def within(process, seconds, processor):
+    """What the process prints on standard error until its end, or None if it takes longer."""
+    started, used = time.monotonic(), processor_seconds(process)
+    while time.monotonic() - started < seconds and processor_seconds(process) - used < processor:
+        try:
+            return process.communicate(timeout=min(seconds, 0.2))[1]
+        except subprocess.TimeoutExpired:
+            pass
+    return None
+
+
+def processor_seconds(process):
+    fields = Path(f"/proc/{process.pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def as_toml(tables, name=""):

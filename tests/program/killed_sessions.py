@@ -27,7 +27,7 @@ import time
 import urllib.request
 from pathlib import Path
 
-PATIENCE = 60.0  # seconds until a program must have started
+PATIENCE = 600.0  # seconds until a program must have started
 THINGS = ("[material.bark]\nhardness = 'hard'\nstiffness = 40.0\n"
           "[material.moss]\nhardness = 'soft'\nstiffness = 3.0\n")
 STUDY = ("[study]\nname = 'hardness'\nlabel = 'material'\nseeds = 1\n"

@@ -23,7 +23,7 @@ from pathlib import Path
 from small_inputs import ROWS, STUDY
 
 LONGEST = 20  # seconds of processor time, which other work on the machine does not change
-ENDLESS = 120  # seconds after which a run is killed
+ENDLESS = 1200  # seconds after which a run is killed
 ROOM = 100 * 2**20  # bytes beyond four times the input and what the whole input takes
 MODELS = ("a.map", "out/system.somato")
 NUMBER = re.compile(r"(?<![\w.\"'])-?\d+(?:\.\d+)?(?:e-?\d+)?(?![\w.\"'])")
