@@ -12,6 +12,7 @@ The tests kill each of them few times; 100 times with the default values take ha
 
 import argparse
 import csv
+import http.client
 import json
 import os
 import pty
@@ -56,7 +57,7 @@ class Session:
         def until_the_end():
             try:
                 work()
-            except (OSError, ValueError, KeyError):
+            except (OSError, ValueError, KeyError, http.client.HTTPException):
                 pass  # it was killed meanwhile
         thread = threading.Thread(target=until_the_end, daemon=True)
         thread.start()
