@@ -85,9 +85,11 @@ TEST(DemonstrationThread, RestsWithoutViewers) {
   auto viewer = session.hub().subscribe(1);
   ASSERT_TRUE(eventually([&] { return state_of(session)["explorations"].size() >= 1; }));
   viewer.reset();
-  ASSERT_TRUE(eventually([&] { return state_of(session)["clients"] == 0; }));
+  ASSERT_TRUE(eventually([&] {
+    const json state = state_of(session);
+    return state["clients"] == 0 && state["playing"] == false;
+  }));
   const json state = state_of(session);
-  EXPECT_EQ(state["playing"], false);
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   const json later = state_of(session);
   EXPECT_EQ(later["playing"], false);
