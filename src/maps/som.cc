@@ -9,7 +9,6 @@
 #include "kernels/batch_kernels.h"
 #include "maps/activity.h"
 #include "maps/product_reading.h"
-#include "maps/product_weights.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -61,20 +60,6 @@ Som::Som(SomParameters parameters, const Matrix<float>& weights,
   require(grid_.rows() == 1 && grid_.columns() == graph->size(),
           "a map needs a neuron of its graph in each column");
   grid_ = Grid(std::move(graph));
-}
-
-Som::Som(std::shared_ptr<const ProductWeights> products)
-    : parameters_(products->state().problem().parameters()),
-      grid_(parameters_.grid()),
-      elements_(products->state().problem().elements()),
-      products_(std::move(products)) {}
-
-const LaneMatrix<float>& Som::formed() const {
-  return products_->formed();
-}
-
-bool Som::knows(const Samples& samples) const {
-  return products_ && products_->known().is_same_as(samples);
 }
 
 float Som::weight(std::size_t neuron, std::size_t element) const {
@@ -222,23 +207,6 @@ std::size_t Som::winner_among(std::span<const std::size_t> candidates, const Sig
   const std::span<const float> prepared = prepare(input, workspace);
   return best_among(candidates, neurons(),
                     [&](std::size_t neuron) { return exact_score(prepared, neuron, workspace); });
-}
-
-Winners Som::winners(const Samples& samples, std::size_t sample, SomWorkspace& workspace) const {
-  return knows(samples) ? somato::winners(products_->reading(sample))
-                        : winners(samples[sample], workspace);
-}
-
-std::size_t Som::winner_among(std::span<const std::size_t> candidates, const Samples& samples,
-                              std::size_t sample, SomWorkspace& workspace) const {
-  return knows(samples) ? somato::winner_among(candidates, products_->reading(sample))
-                        : winner_among(candidates, samples[sample], workspace);
-}
-
-double Som::distance(const Samples& samples, std::size_t sample, std::size_t neuron,
-                     SomWorkspace& workspace) const {
-  return knows(samples) ? somato::distance(products_->reading(sample), neuron)
-                        : distance(samples[sample], neuron, workspace);
 }
 
 void Som::similarities(const SignalView& input, SomWorkspace& workspace,
