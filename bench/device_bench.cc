@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "devices/device_body.h"
-#include "devices/device_text.h"
-#include "emulation/emulated_body.h"
-#include "emulation/emulated_lines.h"
-#include "emulation/replayed_lines.h"
-#include "files/embedded.h"
-#include "simulation/simulated_body.h"
+#include "base/files/embedded.h"
+#include "bodies/explorers/simulated_body.h"
+#include "hardware/device_files/device_text.h"
+#include "hardware/devices/device_body.h"
+#include "hardware/emulation/emulated_body.h"
+#include "hardware/emulation/emulated_lines.h"
+#include "hardware/emulation/replayed_lines.h"
 
 namespace somato {
 namespace {

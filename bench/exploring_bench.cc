@@ -8,7 +8,7 @@
 #include <chrono>
 #include <vector>
 
-#include "simulation/simulated_hand_impl.h"
+#include "bodies/hands/simulated_hand_impl.h"
 #include "somato/bodies/explore_by.h"
 #include "somato/bodies/exploring.h"
 #include "somato/simulation/simulated_explorer.h"

@@ -1,7 +1,7 @@
 """Packets of the four kinds of servo lines: which commands they contain, and how an answer is changed.
 
 A decoder takes the bytes of one direction and returns what is complete. Addresses and checksums are those of
-src/wire/ssc32.h, dynamixel.h and feetech.h, whose comments name the manuals.
+src/hardware/protocols/ssc32.h, dynamixel.h and feetech.h, whose comments name the manuals.
 """
 
 import re

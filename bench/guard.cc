@@ -13,7 +13,7 @@
 #include <iostream>
 #include <map>
 
-#include "kernels/instruction_set.h"
+#include "base/kernels/instruction_set.h"
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/kernels/batch_kernels.h"
 #include "guard.h"
-#include "kernels/batch_kernels.h"
 
 namespace somato::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "guard.h"
-#include "maps/batch_training.h"
+#include "maps/training/batch_training.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
 #include "somato/maps/t_mpsom.h"

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/lanes.h"
+#include "base/core/lanes.h"
+#include "base/kernels/kernels.h"
 #include "guard.h"
-#include "kernels/kernels.h"
 
 namespace somato::bench {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/kernels/kernels.h"
+#include "base/kernels/online_kernels.h"
 #include "guard.h"
-#include "kernels/kernels.h"
-#include "kernels/online_kernels.h"
 
 namespace somato::bench {
 namespace {

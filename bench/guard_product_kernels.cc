@@ -4,8 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "base/kernels/product_kernels.h"
 #include "guard.h"
-#include "kernels/product_kernels.h"
 
 namespace somato::bench {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/lanes.h"
+#include "base/core/lanes.h"
+#include "base/kernels/t_mpsom_kernels.h"
 #include "guard.h"
-#include "kernels/t_mpsom_kernels.h"
 
 namespace somato::bench {
 namespace {

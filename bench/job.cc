@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "maps/batch_training.h"
-#include "maps/winner_search.h"
+#include "maps/reading/winner_search.h"
+#include "maps/training/batch_training.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
 

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/lanes.h"
-#include "core/threads.h"
-#include "kernels/instruction_set.h"
-#include "maps/batch_training.h"
-#include "maps/map_rows.h"
-#include "maps/neighbourhood.h"
+#include "base/core/lanes.h"
+#include "base/core/threads.h"
+#include "base/kernels/instruction_set.h"
+#include "maps/grid/neighbourhood.h"
+#include "maps/som/map_rows.h"
+#include "maps/training/batch_training.h"
 #include "somato/core/random.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "maps/t_mpsom_learner.h"
+#include "maps/t_mpsom/t_mpsom_learner.h"
 #include "somato/core/random.h"
 #include "somato/maps/t_mpsom.h"
 

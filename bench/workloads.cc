@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/kernels/instruction_set.h"
 #include "job.h"
-#include "kernels/instruction_set.h"
 #include "somato/files/npy.h"
 #include "somato/maps/som_training.h"
 #include "t_mpsom_job.h"

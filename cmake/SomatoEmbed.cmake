@@ -1,5 +1,5 @@
 # somato_embed(SOURCE FILE...): writes the C++ file SOURCE, which holds the texts of the FILEs (paths
-# from the top of the tree) for files/embedded.h.
+# from the top of the tree) for base/files/embedded.h.
 function(somato_embed source)
   set(entries "")
   foreach(file ${ARGN})
@@ -7,7 +7,7 @@ function(somato_embed source)
     file(READ "${PROJECT_SOURCE_DIR}/${file}" text)
     string(APPEND entries "    {\"${file}\", R\"embedded(${text})embedded\"},\n")
   endforeach()
-  file(WRITE "${source}.new" "#include \"files/embedded.h\"
+  file(WRITE "${source}.new" "#include \"base/files/embedded.h\"
 
 namespace somato::detail {
 

@@ -1,26 +1,27 @@
-# How tests are built and registered. Each test has the label of its room, and each room a target
-# ROOM_room, so that './dev test ROOM' builds and runs its tests; tests that only './dev test --all'
-# runs have the label 'long' too.
+# How tests are built and registered. A group of tests is a wing (src/rooms.json) or a folder of tests. Each test
+# has the label of its group, and each group a target GROUP_group, so that './dev test GROUP' builds and runs its
+# tests. The cases of a room are one test, GROUP.ROOM, with the label GROUP/ROOM too; tests that only
+# './dev test --all' runs have the label 'long'.
 
-# A room's cases run in this many processes; each writes the durations of its cases to test_cases/, and
-# each test its processor time to test_times/, which scripts/budget.py compares with the budget.
-set(SOMATO_TEST_SHARDS 2)
+# Each room writes the durations of its cases to test_cases/, and each test its processor time to test_times/,
+# which scripts/budget.py compares with the budget.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/test_cases ${PROJECT_BINARY_DIR}/test_times)
 
-function(somato_room room)
-  if(NOT TARGET ${room}_room)
-    add_custom_target(${room}_room)
+# somato_group(GROUP TARGET...): the tests of the group need these targets.
+function(somato_group group)
+  if(NOT TARGET ${group}_group)
+    add_custom_target(${group}_group)
   endif()
   foreach(target IN LISTS ARGN)
-    add_dependencies(${room}_room ${target})
+    add_dependencies(${group}_group ${target})
   endforeach()
 endfunction()
 
-# somato_test(ROOM NAME [LONG] [DEPENDS TARGET...] COMMAND...): the time limit only ends a test that hangs, on
+# somato_test(GROUP NAME [LONG] [DEPENDS TARGET...] COMMAND...): the time limit only ends a test that hangs, on
 # machines of any speed.
-function(somato_test room name)
+function(somato_test group name)
   cmake_parse_arguments(PARSE_ARGV 2 test "LONG" "" "DEPENDS;COMMAND")
-  set(labels ${room})
+  set(labels ${group})
   if(test_LONG)
     list(APPEND labels long)
   endif()
@@ -29,10 +30,10 @@ function(somato_test room name)
   if(TARGET ${program})
     set(program $<TARGET_FILE:${program}>)
   endif()
-  add_test(NAME ${room}.${name} COMMAND ${PROJECT_SOURCE_DIR}/scripts/with_processor_time.sh
-           ${PROJECT_BINARY_DIR}/test_times/${room}.${name} ${program} ${test_COMMAND})
-  set_tests_properties(${room}.${name} PROPERTIES TIMEOUT 3600 LABELS "${labels}")
-  somato_room(${room} ${test_DEPENDS})
+  add_test(NAME ${group}.${name} COMMAND ${PROJECT_SOURCE_DIR}/scripts/with_processor_time.sh
+           ${PROJECT_BINARY_DIR}/test_times/${group}.${name} ${program} ${test_COMMAND})
+  set_tests_properties(${group}.${name} PROPERTIES TIMEOUT 3600 LABELS "${labels}")
+  somato_group(${group} ${test_DEPENDS})
 endfunction()
 
 # Under the thread sanitizer only the tests with "Thread" in their names run: files without one are not
@@ -49,9 +50,11 @@ function(somato_keep_threaded list)
   set(${list} ${kept} PARENT_SCOPE)
 endfunction()
 
-# somato_test_program(ROOM SOURCE...): the program ROOM_tests, registered in shards.
-function(somato_test_program room)
-  set(sources ${ARGN})
+# somato_test_program(GROUP [NAME PROGRAM] SOURCES SOURCE... [LINK LIBRARY...]): a program with the tests in the
+# folders of the group, tests/GROUP/ROOM. Each room is a test of its own (tests/base/support/room_main.cc).
+function(somato_test_program group)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "NAME" "SOURCES;LINK")
+  set(sources ${test_SOURCES})
   set(arguments --gtest_brief=1)
   if(SOMATO_SANITIZE STREQUAL "thread")
     somato_keep_threaded(sources)
@@ -60,20 +63,24 @@ function(somato_test_program room)
   if(NOT sources)
     return()
   endif()
-  set(program ${room}_tests)
+  set(program ${group}_tests)
+  if(test_NAME)
+    set(program ${test_NAME})
+  endif()
   add_executable(${program} ${sources})
-  target_link_libraries(${program} PRIVATE test_support GTest::gtest_main)
+  target_link_libraries(${program} PRIVATE test_support ${test_LINK})
   target_compile_options(${program} PRIVATE -O0 -ffp-contract=off)
   somato_link_optimized_templates(${program})
   somato_set_warnings(${program})
   somato_use_precompiled(${program} test_headers)
   somato_compile_together(${program})
-  math(EXPR last "${SOMATO_TEST_SHARDS} - 1")
-  foreach(shard RANGE ${last})
-    somato_test(${room} ${shard} DEPENDS ${program}
-                COMMAND ${program} ${arguments})
-    set_tests_properties(${room}.${shard} PROPERTIES COST 200 ENVIRONMENT
-      "GTEST_TOTAL_SHARDS=${SOMATO_TEST_SHARDS};GTEST_SHARD_INDEX=${shard};\
-GTEST_OUTPUT=json:${PROJECT_BINARY_DIR}/test_cases/${room}.${shard}.json")
+  set(rooms ${sources})
+  list(TRANSFORM rooms REPLACE "^.*/([^/]+)/[^/]+$" "\\1")
+  list(REMOVE_DUPLICATES rooms)
+  foreach(room IN LISTS rooms)
+    somato_test(${group} ${room} DEPENDS ${program} COMMAND ${program} ${arguments})
+    set_tests_properties(${group}.${room} PROPERTIES COST 200 LABELS "${group};${group}/${room}" ENVIRONMENT
+      "SOMATO_TEST_ROOM=${group}/${room};\
+GTEST_OUTPUT=json:${PROJECT_BINARY_DIR}/test_cases/${group}.${room}.json")
   endforeach()
 endfunction()

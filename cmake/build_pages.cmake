@@ -36,7 +36,7 @@ foreach(page report.html view.html view.js view.css)
   file(READ ${WORK}/dist/${page} text)
   string(APPEND entries "    {\"${page}\", R\"embedded(${text})embedded\"},\n")
 endforeach()
-set(written "#include \"pages.h\"
+set(written "#include \"report/pages.h\"
 
 namespace somato::program {
 

@@ -2,8 +2,8 @@
 #include <cstring>
 #include <string>
 
-#include "files/archive.h"
-#include "files/checksum.h"
+#include "base/archives/archive.h"
+#include "base/archives/checksum.h"
 #include "somato/core/check.h"
 
 namespace {

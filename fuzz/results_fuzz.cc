@@ -1,9 +1,9 @@
 #include <cstdint>
 #include <string>
 
-#include "report/report.h"
-#include "report/results_file.h"
 #include "somato/core/check.h"
+#include "views/report/report.h"
+#include "views/report/results_file.h"
 
 // An accepted document makes a report, or is refused by it, and nothing in the page ends its
 // element.

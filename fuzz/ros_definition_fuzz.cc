@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "ros/definition.h"
-#include "ros/field_reader.h"
+#include "recordings/ros/definition.h"
+#include "recordings/ros/field_reader.h"
 #include "somato/core/check.h"
 
 // A type has no more fields than its definition has bytes; each listed path can be read.

@@ -3,8 +3,8 @@
 #include <string_view>
 #include <utility>
 
-#include "ros/definition.h"
-#include "ros/field_reader.h"
+#include "recordings/ros/definition.h"
+#include "recordings/ros/field_reader.h"
 #include "somato/core/check.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "files/toml_file.h"
+#include "base/files/toml_file.h"
 #include "somato/core/check.h"
 
 namespace {

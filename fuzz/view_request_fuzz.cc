@@ -3,9 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include "live/http_request.h"
-#include "live/view_command.h"
 #include "somato/core/check.h"
+#include "views/http/http_request.h"
+#include "views/session/view_command.h"
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "emulation/ssc32_board.h"
+#include "hardware/emulation/ssc32_board.h"
+#include "hardware/protocols/anyskin_frame.h"
+#include "hardware/protocols/number_line.h"
+#include "hardware/protocols/sensor_frame.h"
+#include "hardware/protocols/ssc32.h"
 #include "somato/core/check.h"
-#include "wire/anyskin_frame.h"
-#include "wire/number_line.h"
-#include "wire/sensor_frame.h"
-#include "wire/ssc32.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
-#include "commands.h"
-#include "completion.h"
-#include "terminal.h"
+#include "flags/commands.h"
+#include "flags/completion.h"
+#include "terminal/terminal.h"
 
 int main(int argc, char** argv) {
   using namespace somato::program;

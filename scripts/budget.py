@@ -1,8 +1,7 @@
 """Processor time of the stages and tests of ./dev test, compared with the budget in the repository.
 
 Figures are in units: processor seconds, divided by those of a fixed job (fixed_job.py) measured in the same
-run, so that they can be compared between machines. Entries are the names of stages, and PRESET: TEST; the
-shards of a room are one entry, because a new case moves others to another shard.
+run, so that they can be compared between machines. Entries are the names of stages, and PRESET: TEST.
 """
 
 import json
@@ -76,8 +75,7 @@ def seconds_of_tests(folder, preset):
     for file in sorted(folder.glob("*")):
         seconds = times_of(file.read_text(encoding="utf-8"))
         if seconds is not None:
-            entry = f"{preset}: {re.sub(r'[.][0-9]+$', '', file.name)}"
-            found[entry] = found.get(entry, 0) + seconds
+            found[f"{preset}: {file.name}"] = seconds
     return found
 
 

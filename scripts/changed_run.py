@@ -30,7 +30,7 @@ def commands_of_tests():
 
 
 def entry_of(test):
-    return f"dev: {re.sub(r'[.][0-9]+$', '', test)}"
+    return f"dev: {test}"
 
 
 def seconds_by_test(tests):
@@ -38,16 +38,14 @@ def seconds_by_test(tests):
     kept = json.loads(budget.LAST.read_text(encoding="utf-8")) if budget.LAST.is_file() else {}
     of_budget = {name: units * UNIT for name, units in budget.read().items()}
     of_entry = {**of_budget, **kept.get("dev: tests", {}).get("seconds", {})}
-    entries = [entry_of(test) for test in tests]
-    return {test: of_entry[entry] / entries.count(entry)
-            for test, entry in zip(tests, entries) if entry in of_entry}
+    return {test: of_entry[entry_of(test)] for test in tests if entry_of(test) in of_entry}
 
 
 def targets_of(tests, documents):
-    """Targets to build: those of rooms, because a test of a room needs what its other tests need."""
+    """Targets to build: those of groups, because the tests of a wing are one program."""
     parts = [test.split(".") for test in tests]
-    targets = {rest if room == "fuzz" else f"{room}_room" for room, rest in parts}
-    return sorted(targets | ({"docs_room"} if documents else set()))
+    targets = {rest if group == "fuzz" else f"{group}_group" for group, rest in parts}
+    return sorted(targets | ({"docs_group"} if documents else set()))
 
 
 def without_documents(command):
@@ -83,8 +81,8 @@ def run_tests(tests):
 def print_not_run(commands, run, left):
     if left:
         print(f"Left out, although the change can reach them: {', '.join(left)}")
-    rooms = sorted({test.split(".")[0] for test in commands if test not in [*run, *left]})
-    print(f"Not run, because no include leads there: tests of {', '.join(rooms) or 'no room'}")
+    groups = sorted({test.split(".")[0] for test in commands if test not in [*run, *left]})
+    print(f"Not run, because no include leads there: tests of {', '.join(groups) or 'no room'}")
     print("Not run: what tests reach by running the program; long tests; sanitizers; the second compiler")
 
 

@@ -1,7 +1,7 @@
 """Chooses the tests that a change can reach, for ./dev test --changed.
 
 A changed source reaches the tests of its room and those of every room with a file that includes its header,
-directly or through other headers. The nearest come first; what exceeds LIMIT is left out, and named. What
+directly or through other headers. A room is WING/ROOM, or WING for public headers, and its test WING.ROOM. The nearest come first; what exceeds LIMIT is left out, and named. What
 tests reach by running the program is not followed.
 """
 
@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 
 import changed_files
-from check_includes import ENTRANCES
-from check_mirrors import SOURCES_WITHOUT_HEADER
+import rooms
+from check_mirrors import declared_in
 
 LIMIT = 130  # processor seconds of tests beyond those of the changed rooms: 65 s on two cores
 UNKNOWN = 10  # processor seconds of tests that have no figure
@@ -19,30 +19,31 @@ UNKNOWN = 10  # processor seconds of tests that have no figure
 # Changes of these files can reach everything.
 UNBOUNDED = re.compile(
     r"dev|CMakeLists\.txt|CMakePresets\.json|pyproject\.toml|cmake/.*|\.ci/.*|(?:src|program|web|python|fuzz)/CMakeLists\.txt"
-    r"|tests/CMakeLists\.txt|tests/support/.*\.cc|scripts/(?:with_processor_time|setup|fetch_\w+)\.sh"
+    r"|tests/CMakeLists\.txt|tests/\w+/support/.*\.cc|scripts/(?:with_processor_time|setup|fetch_\w+)\.sh"
     r"|scripts/(?:packages|mujoco)\.txt")
 # What a changed file reaches beyond includes: the first pattern that matches. Rooms, or single tests.
 REACHED = [
     (r"web/tests/parts/.*", ["web.unit", "web.types"]),
     (r"web/tests/(report|view)\w*\.test\.ts", [r"web.\1", "web.types"]),
     (r"web/src/(report|view)/.*", ["web.unit", "web.types", r"web.\1"]),
-    (r"web/schema/.*", ["report", "live", "web.unit", "web.types"]),
+    (r"web/schema/.*", ["views/report", "views/live", "web.unit", "web.types"]),
     (r"web/.*", ["web.*"]),
     (r"docs/notebooks/.*", ["python"]),
     (r"python/.*", ["python"]),
     (r"scripts/make_(synthetic_\w+)\.py", [r"examples.\1_reproducible"]),
-    (r"examples/(synthetic_\w+)/.*", [r"examples.\1_reproducible", "recording"]),
+    (r"examples/(synthetic_\w+)/.*", [r"examples.\1_reproducible", "recordings"]),
     (r"(?:scripts|bench)/.*\.(?:py|sh|in|txt)", ["house"]),
     (r"bench/guard.*", ["bench"]),
     (r"fuzz/(\w+)_fuzz\.cc", [r"fuzz.\1_replay"]),
     (r"fuzz/corpus/(\w+)/.*", [r"fuzz.\1_replay"]),
     (r"fuzz/.*", ["fuzz.*"]),
-    (r"tests/(?:install|support)/.*", []),
+    (r"tests/install/.*|tests/\w+/support/.*", []),
+    (r"tests/(base|maps|recordings|bodies|hardware|systems|studies|views|program|mcap)/(\w+)/.*", [r"\1/\2"]),
     (r"tests/(\w+)/.*", [r"\1"]),
     # Files that are compiled into the library, with the rooms that read them there.
-    (r"(?:systems|studies)/.*", ["studies", "suggestion"]),
-    (r"(?:objects|models)/.*", ["bodies", "simulation"]),
-    (r"devices/.*", ["devices", "emulation"]),
+    (r"(?:systems|studies)/.*", ["studies"]),
+    (r"(?:objects|models)/.*", ["bodies"]),
+    (r"devices/.*", ["hardware"]),
 ]
 
 
@@ -54,15 +55,10 @@ class Selection:
     unbounded: list = field(default_factory=list)  # files that can reach everything
 
 
-def room_of(name):
+def room_of(table, name):
     """The room, or the test, that a source in C++ belongs to; None if it has no test."""
-    parts = PurePosixPath(name).parts
-    if name.startswith("include/somato/"):
-        return ENTRANCES.get(parts[2], parts[2])
-    if parts[0] == "src":
-        return parts[1] if len(parts) > 2 else None
-    if parts[0] == "program":
-        return "program"
+    if place := table.place_of(name):
+        return "/".join(filter(None, place))
     found = reached_by_name(name)
     return found[0] if found else None
 
@@ -75,16 +71,15 @@ def reached_by_name(name):
 
 
 def header_of(tree, name):
-    """The headers whose functions a source defines."""
-    stem = name.removesuffix(".cc").removeprefix("src/")
-    named = SOURCES_WITHOUT_HEADER.get(f"{stem}.cc", f"{stem}.h").split(":")[0].split(" ")[0]
-    return [path.resolve() for path in (tree / "include/somato" / named, tree / "src" / named,
-                                        tree / f"{name.removesuffix('.cc')}.h") if path.is_file()]
+    """The header whose functions a source of the library or the program defines, as a list."""
+    header = declared_in(tree / name) if (tree / name).is_file() else None
+    named = [tree / folder / header for folder in ("include", "src", "program") if header]
+    return [path.resolve() for path in named if path.is_file()]
 
 
 def starts(tree, name):
     """The file itself and the headers of its functions."""
-    return [(tree / name).resolve(), *(header_of(tree, name) if name.endswith(".cc") else [])]
+    return [(tree / name).resolve(), *(header_of(tree, name) if name.startswith(("src/", "program/")) and name.endswith(".cc") else [])]
 
 
 def is_document(name):
@@ -93,24 +88,26 @@ def is_document(name):
 
 def select(tree, names):
     """What the changed files `names`, relative to `tree`, reach."""
+    table = rooms.read(tree)
     chosen = Selection(unbounded=[name for name in names if UNBOUNDED.fullmatch(name)])
     chosen.documents = [name for name in names if is_document(name) and (tree / name).is_file()]
     sources = [name for name in names if name.endswith((".h", ".cc"))]
     for name in names:
-        chosen.changed.update(filter(None, [room_of(name)] if name in sources else reached_by_name(name)))
+        chosen.changed.update(filter(None, [room_of(table, name)] if name in sources else reached_by_name(name)))
     includers = changed_files.includers_by_header(tree) if sources else {}
     reached = changed_files.distances([path for name in sources for path in starts(tree, name)], includers)
     for path, steps in reached.items():
-        room = room_of(path.relative_to(tree.resolve()).as_posix())
+        room = room_of(table, path.relative_to(tree.resolve()).as_posix())
         if room and room not in chosen.changed:
             chosen.near[room] = min(steps, chosen.near.get(room, steps))
     return chosen
 
 
 def matches(item, test):
-    """Whether a room or a test, `item`, includes the test of ctest."""
-    return test.split(".")[0] == item if "." not in item else bool(
-        re.fullmatch(re.escape(item).replace(r"\*", ".*"), test))
+    """Whether a wing, a room or a test, `item`, includes the test of ctest."""
+    name = item.replace("/", ".")
+    return test.split(".")[0] == name if "." not in name else bool(
+        re.fullmatch(re.escape(name).replace(r"\*", ".*"), test))
 
 
 def within_limit(chosen, tests, seconds_of):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reports includes that violate the table of rooms (ARCHITECTURE.md) or expose third-party headers.
+"""Reports includes that violate the table of rooms (src/rooms.json) or expose third-party headers.
 
 usage: check_includes.py [TREE]
 """
@@ -8,54 +8,18 @@ import re
 import sys
 from pathlib import Path
 
-# Which rooms a room may look at, itself and what those may use included.
-DIRECT = {
-    "kernels": [],
-    "core": ["kernels"],
-    "files": ["core"],
-    "codes": ["files"],
-    "maps": ["files"],
-    "ros": ["files"],
-    "recording": ["ros"],
-    "bags": ["recording"],
-    "exports": ["bodies"],
-    "drawing": ["maps"],
-    "graph": ["codes", "maps", "recording"],
-    "bodies": ["recording"],
-    "simulation": ["bodies"],
-    "wire": ["core"],
-    "devices": ["bodies", "wire"],
-    "emulation": ["devices"],
-    "topics": ["bodies"],
-    "mpi": ["core"],
-    "studies": ["graph", "drawing"],
-    "suggestion": ["studies"],
-    "report": ["studies"],
-    "live": ["graph", "bodies"],
-    "program": ["bags", "exports", "suggestion", "report", "live", "simulation", "devices", "emulation", "topics", "mpi"],
-}
-
-# The entrance headers, by the room whose table applies to them. A header that they do not include, directly or
-# through others, is not public.
-ENTRANCES = {"som.h": "drawing", "recording.h": "recording", "system.h": "graph", "study.h": "studies",
-             "explore.h": "simulation"}
+import rooms
 
 # Headers of others that a public header may bring in, by the header that may.
 GUESTS = {"core/result.h": ["tl/expected.hpp"]}
 
-# Rooms in which servos are driven: a period takes no lock. Files that only prepare a device may.
+# Rooms of hardware in which servos are driven: a period takes no lock. Files that only prepare a device may.
 LOCKS = {"mutex", "shared_mutex", "condition_variable", "semaphore", "future", "thread", "latch",
          "barrier", "pthread.h", "semaphore.h"}
-WITHOUT_LOCKS = {"wire": {"src/wire/sound_source.cc"}, "devices": set()}
+WITHOUT_LOCKS = {"lines", "protocols", "buses", "device_files", "devices"}
+MAY_LOCK = {"src/hardware/lines/sound_source.cc"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
-
-
-def rooms_seen_from(room):
-    seen = {room}
-    for other in DIRECT[room]:
-        seen |= rooms_seen_from(other)
-    return seen
 
 
 def includes(path):
@@ -64,17 +28,13 @@ def includes(path):
     return [(text.count("\n", 0, m.start(2)) + 1, m[1], m[2]) for m in INCLUDE.finditer(text)]
 
 
-def room_of_header(header):
-    """The room of a header, or None if it is not part of Somato."""
-    parts = header.removeprefix("somato/").split("/")
-    return parts[0] if len(parts) > 1 and parts[0] in DIRECT else None
-
-
-def breaks_table(room, header):
-    other = room_of_header(header)
-    if other is None or other in rooms_seen_from(room):
+def breaks_table(table, place, header):
+    other = table.place_of_header(header)
+    if other is None or table.may_use(place, other):
         return None
-    return f"'{room}' may not look at '{other}' ({header})"
+    same_wing = place[0] == other[0]
+    seen, from_here = ("/".join(other), "/".join(place)) if same_wing else (other[0], place[0])
+    return f"'{from_here}' may not look at '{seen}' ({header})"
 
 
 def breaks_public_rule(public_name, bracket, header):
@@ -85,16 +45,16 @@ def breaks_public_rule(public_name, bracket, header):
     return f"a public header may not bring in {header}"
 
 
-def may_lock(room, where, header):
-    if header not in LOCKS or where.as_posix() in WITHOUT_LOCKS.get(room, {where.as_posix()}):
+def may_lock(place, where, header):
+    if header not in LOCKS or place[0] != "hardware" or place[1] not in WITHOUT_LOCKS or where.as_posix() in MAY_LOCK:
         return None
-    return f"'{room}' takes no locks ({header})"
+    return f"'{'/'.join(place)}' takes no locks ({header})"
 
 
 def not_reached(public):
     """The public headers that no entrance includes, directly or through others; sorted."""
     missing = {path.relative_to(public).as_posix() for path in public.rglob("*.h")}
-    waiting = [name for name in ENTRANCES if name in missing]
+    waiting = [name for name in rooms.ENTRANCES if name in missing]
     while waiting:
         name = waiting.pop()
         if name not in missing:
@@ -104,26 +64,25 @@ def not_reached(public):
     return sorted(missing)
 
 
-def files_of_rooms(tree):
-    """Every (room, file) below include/somato, src and program."""
+def sources(tree):
+    """Every file below include/somato, src and program."""
     for base in (tree / "include/somato", tree / "src", tree / "program"):
-        for path in sorted([*base.rglob("*.h"), *base.rglob("*.cc")]):
-            parts = path.relative_to(base).parts
-            room = "program" if base.name == "program" else ENTRANCES.get(parts[0], parts[0])
-            yield room, path
+        yield from sorted([*base.rglob("*.h"), *base.rglob("*.cc")])
 
 
 def check(tree):
     """Violations as `file:line: message`."""
     problems = []
+    table = rooms.read(tree)
     public = tree / "include/somato"
-    for room, path in files_of_rooms(tree):
+    for path in sources(tree):
         where = path.relative_to(tree)
-        if room not in DIRECT:
-            problems.append(f"{where}:1: '{room}' is not a room of the table")
+        place = table.place_of(where)
+        if place is None:
+            problems.append(f"{where}:1: '{where.parent}' is not a room of src/rooms.json")
             continue
         for line, bracket, header in includes(path):
-            found = [breaks_table(room, header), may_lock(room, where, header)]
+            found = [breaks_table(table, place, header), may_lock(place, where, header)]
             if public in path.parents:
                 name = path.relative_to(public).as_posix()
                 found.append(breaks_public_rule(name, bracket, header))
@@ -134,7 +93,7 @@ def check(tree):
 
 
 def main():
-    tree = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent
+    tree = Path(sys.argv[1]) if len(sys.argv) > 1 else rooms.TREE
     problems = check(tree)
     print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
     return 1 if problems else 0

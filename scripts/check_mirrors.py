@@ -1,88 +1,90 @@
 #!/usr/bin/env python3
 """Reports headers, sources and tests that do not mirror each other (STYLE.md).
 
+A source begins with the header that declares what it defines: the one of its own name, or, where several sources
+define the functions of one header, that one. A public header has a test in a room of its wing; a test has the name
+of a header that its room or its wing has, or of one and its subject.
+
 usage: check_mirrors.py [TREE]
 """
 
 import sys
 from pathlib import Path
 
-from check_includes import DIRECT
+import rooms
+from check_includes import includes
 
-ROOMS = [room for room in DIRECT if room != "program"]
-
-# Files without a mirror, each with its reason.
-SOURCES_WITHOUT_HEADER = {
-    "kernels/kernels_portable.cc": "kernels/kernels.h for any processor",
-    "kernels/kernels_avx2.cc": "kernels/kernels.h for AVX2",
-    "kernels/kernels_avx512.cc": "kernels/kernels.h for AVX-512",
-    "kernels/kernels_avx512_vnni.cc": "kernels/batch_kernels.h for AVX-512 with integer products",
-    "bodies/explore_by_closing.cc": "bodies/explore_by.h: one way to explore",
-    "bodies/explore_by_grasping.cc": "bodies/explore_by.h: one way to explore",
-    "bodies/explore_by_holding.cc": "bodies/explore_by.h: one way to explore",
-    "bodies/explore_by_pressing.cc": "bodies/explore_by.h: one way to explore",
-    "bodies/explore_by_stroking.cc": "bodies/explore_by.h: one way to explore",
-    "codes/spectrum_parameters.cc": "codes/spectrum.h: its parameters",
-    "devices/body_check.cc": "devices/device_file.h: checking it against a body",
-    "devices/device_file_settings.cc": "devices/device_file.h: its parameters",
-    "devices/make_bus.cc": "devices/device_io.h: the kinds of servos",
-    "graph/module_types.cc": "graph/module.h: the list of all types",
-    "graph/modules/codes.cc": "graph/modules/support.h: types of modules",
-    "graph/modules/association.cc": "graph/modules/support.h: types of modules",
-    "graph/modules/drift.cc": "graph/modules/support.h: types of modules",
-    "graph/modules/features.cc": "graph/modules/support.h: types of modules",
-    "graph/modules/frames.cc": "graph/modules/support.h: types of modules",
-    "graph/modules/memories.cc": "graph/modules/support.h: types of modules",
-    "graph/modules/scaling.cc": "graph/modules/support.h: types of modules",
-    "graph/modules/source.cc": "graph/modules/support.h: types of modules",
-    "graph/modules/t_mpsom.cc": "graph/modules/support.h: types of modules",
-    "graph/modules/winner.cc": "graph/modules/support.h: types of modules",
-    "maps/som_elements.cc": "maps/som.h: which elements a map stores",
-    "maps/t_mpsom_parameters.cc": "maps/t_mpsom.h: its parameters",
-    "recording/csv_import_trials.cc": "recording/csv_import.h: reading the files",
-    "recording/recording_reader.cc": "recording/recording_file.h: reading",
-    "simulation/texture_probe_parameters.cc": "simulation/texture_probe.h: its parameters",
-    "studies/reproduction_plan.cc": "studies/reproduction.h: what is to be run",
-    "suggestion/suggestion_text.cc": "suggestion/suggestion.h: the text of the file",
-}
-HEADERS_WITHOUT_TEST = {}
-TESTS_WITHOUT_HEADER = {
-    "core/no_malloc_test.cc": "support/no_malloc.h, which the tests of all rooms use",
-    "report/json_schema_test.cc": "support/json_schema.h, which the tests of report and live use",
-}
+TESTS_OF_SUPPORT = "support"
 
 
-def stems(folder, pattern, ending):
-    """ROOM/name for every file of the rooms below `folder`."""
+def declared_in(path):
+    """The first header of Somato that a source includes, or None."""
+    return next((header for _, bracket, header in includes(path) if bracket == '"'), None)
+
+
+def private_headers(tree):
+    """(wing, room, name) of every private header."""
     found = set()
-    for room in ROOMS:
-        for path in (folder / room).rglob(pattern):
-            name = path.relative_to(folder).as_posix()
-            found.add(name.removesuffix(ending))
+    for path in (tree / "src").rglob("*.h"):
+        found.add((*path.relative_to(tree / "src").parts[:2], path.stem))
     return found
 
 
+def public_headers(tree, table):
+    """(wing, name) of every public header, with its path."""
+    public = tree / "include/somato"
+    return {(table.place_of(path.relative_to(tree))[0], path.stem): path.relative_to(tree)
+            for path in public.rglob("*.h") if len(path.relative_to(public).parts) > 1}
+
+
+def check_sources(tree, table, private, public):
+    for path in sorted((tree / "src").rglob("*.cc")):
+        where = path.relative_to(tree)
+        wing, room = table.place_of(where) or ("", "")
+        if (wing, room, path.stem) in private or (wing, path.stem) in public:
+            continue
+        header = declared_in(path)
+        if header is None or (table.place_of_header(header) or ("",))[0] != wing:
+            yield f"{where}: no header of its name, and its first include is not a header of '{wing}'"
+
+
+def tests_of(tree, wing):
+    """(room, name) of every test of a wing."""
+    return {(path.parent.name, path.stem.removesuffix("_test")) for path in (tree / "tests" / wing).rglob("*_test.cc")}
+
+
+def names_a_header(name, headers):
+    """Whether `name` is a header, or one and its subject: THING_WORD for tests of a large THING."""
+    return name in headers or name.rpartition("_")[0] in headers
+
+
+def check_tests(tree, wing, private, public):
+    of_wing = {name for other, name in public if other == wing}
+    for room, name in sorted(tests_of(tree, wing)):
+        own = {header for other, place, header in private if (other, place) == (wing, room)}
+        if room == TESTS_OF_SUPPORT:
+            own = {path.stem for path in (tree / "tests" / wing / room).glob("*.h")}
+        if not names_a_header(name, own | of_wing):
+            yield f"tests/{wing}/{room}/{name}_test.cc: no header of that name"
+
+
 def check(tree):
-    public = stems(tree / "include/somato", "*.h", ".h")
-    internal = stems(tree / "src", "*.h", ".h")
-    sources = stems(tree / "src", "*.cc", ".cc")
-    tests = stems(tree / "tests", "*_test.cc", "_test.cc")
-    problems = []
-    for name in sorted(sources - public - internal):
-        if f"{name}.cc" not in SOURCES_WITHOUT_HEADER:
-            problems.append(f"src/{name}.cc: no include/somato/{name}.h and no src/{name}.h")
-    for name in sorted((sources & public) - tests):
-        if f"{name}.h" not in HEADERS_WITHOUT_TEST:
-            problems.append(f"include/somato/{name}.h: no tests/{name}_test.cc")
-    for name in sorted(tests - public - internal):
-        thing = name.rpartition("_")[0]  # tests of a large THING: THING_WORD_test.cc for one subject
-        if thing not in public | internal and f"{name}_test.cc" not in TESTS_WITHOUT_HEADER:
-            problems.append(f"tests/{name}_test.cc: no header of that name")
+    table = rooms.read(tree)
+    private, public = private_headers(tree), public_headers(tree, table)
+    problems = list(check_sources(tree, table, private, public))
+    sources = {(table.place_of(path.relative_to(tree)) or ("",))[0:1] + (path.stem,)
+               for path in (tree / "src").rglob("*.cc")}
+    for (wing, name), header in sorted(public.items()):
+        if (wing, name) in sources and name not in {test for _, test in tests_of(tree, wing)}:
+            problems.append(f"{header}: no tests/{wing}/ROOM/{name}_test.cc")
+    for wing in table.wings:
+        if wing != "program":
+            problems += check_tests(tree, wing, private, public)
     return problems
 
 
 def main():
-    tree = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent
+    tree = Path(sys.argv[1]) if len(sys.argv) > 1 else rooms.TREE
     problems = check(tree)
     print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
     return 1 if problems else 0

@@ -27,11 +27,11 @@ FRAGMENT = re.compile(r"""(?://[/!]?<?|#|/\*\*?|^\s*\*|"{3})\s+((?:What|Whatever
 PRINTS = re.compile(r"\bstd::(?:cout|cerr|clog|printf|puts|fprintf|fputs)\b|\bfmt::print\b")
 
 # Exceptions, each with its reason.
-MAY_PRINT = {"src/core/check.cc": "a violated invariant ends the program with a message"}
+MAY_PRINT = {"src/base/core/check.cc": "a violated invariant ends the program with a message"}
 MAY_ROUND = {
-    "src/simulation/ray_picture.cc": "the bits of a picture are not guaranteed",
-    "src/simulation/object_mjcf.cc": "text for the physics engine, whose bits are not guaranteed",
-    "src/simulation/object_motion.cc": "poses for the physics engine, whose bits are not guaranteed",
+    "src/bodies/hands/ray_picture.cc": "the bits of a picture are not guaranteed",
+    "src/bodies/physics/object_mjcf.cc": "text for the physics engine, whose bits are not guaranteed",
+    "src/bodies/hands/object_motion.cc": "poses for the physics engine, whose bits are not guaranteed",
 }
 KNOWS_THE_PATTERNS = {"scripts/check_text.py", "tests/house/check_text_test.py", "STYLE.md", "LICENSE"}
 COMMENTED = (".h", ".cc", ".ts", ".cmake", ".css")

@@ -62,7 +62,8 @@ check_format() {
 scripts/setup.sh build test
 
 check 'format' check_format
-check 'include table' python3 scripts/check_includes.py
+check 'rooms' python3 scripts/check_rooms.py
+check 'includes' python3 scripts/check_includes.py
 check 'mirrored tests' python3 scripts/check_mirrors.py
 check 'house rules' python3 scripts/check_text.py
 check 'types of the pages' python3 scripts/page_types.py --check

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Mutation test: changes a room's sources one place at a time and reports undetected changes.
+"""Mutation test: changes the sources of a wing or a room one place at a time and reports undetected changes.
 
 Each mutant is compiled beside the tree and linked in front of the library, so that nothing in the
 checkout changes. A mutant that does not compile is replaced by another. The same seed draws the same
@@ -22,6 +22,7 @@ from pathlib import Path
 
 import compile_commands
 import mutants
+import rooms
 
 TREE = Path(__file__).resolve().parent.parent
 DEV = TREE / "build/dev"
@@ -29,16 +30,16 @@ LONGEST = 60  # seconds beyond three times what the tests take without a mutant
 
 
 class Room:
-    """The tests of a room, linked or run with a mutant."""
+    """The tests of a wing, linked or run with a mutant of one of its rooms."""
 
     def __init__(self, name):
-        self.name = name
-        self.is_program = name == "program"
-        self.tests = DEV / "tests" / f"{name}_tests"
+        wing = name.split("/")[0]
+        self.is_program = wing == "program"
+        self.tests = DEV / "tests" / f"{wing}_tests"
         folder = TREE / name if self.is_program else TREE / "src" / name
         self.sources = sorted(folder.rglob("*.cc"))
         self.compile = compile_commands.by_file(DEV)
-        self.link = self.link_command("somato" if self.is_program else f"tests/{name}_tests")
+        self.link = self.link_command("somato" if self.is_program else f"tests/{wing}_tests")
         self.seconds = self.measure()
 
     @staticmethod
@@ -92,8 +93,8 @@ class Room:
 
     def mirrored_cases(self, file):
         """A filter for the test cases of `file`, which are the most likely to detect the mutant."""
-        test = TREE / "tests" / self.name / f"{file.stem}_test.cc"
-        text = test.read_text(encoding="utf-8") if test.is_file() else ""
+        folder = Path("tests") / rooms.read().place_of(file.relative_to(TREE))[0]
+        text = "".join(test.read_text(encoding="utf-8") for test in (TREE / folder).rglob(f"{file.stem}_test.cc"))
         return ":".join(f"{suite}.*" for suite in sorted(set(re.findall(r"^TEST\w*\((\w+)", text,
                                                                        re.MULTILINE))))
 
@@ -131,13 +132,14 @@ def draw(room, count, seed):
 
 def parse_arguments():
     parser = argparse.ArgumentParser(prog="./dev mutate", description=__doc__.split("\n")[0])
-    parser.add_argument("room", help="a room, such as maps")
+    parser.add_argument("room", help="a wing or a room, such as maps or maps/growing")
     parser.add_argument("--count", type=int, default=20, help="number of mutants (default: 20)")
     parser.add_argument("--seed", type=int, default=1, help="seed of the choice (default: 1)")
     given = parser.parse_args()
-    rooms = ["program"] + sorted(path.name for path in (TREE / "src").iterdir() if path.is_dir())
-    if given.room not in rooms:
-        parser.error(f"'{given.room}' is not a room; rooms are: {', '.join(rooms)}")
+    table = rooms.read()
+    known = [*table.wings, *(f"{wing}/{room}" for wing in table.wings for room in table.rooms(wing))]
+    if given.room not in known:
+        parser.error(f"'{given.room}' is not a room; there are: {', '.join(known)}")
     if given.count < 1:
         parser.error("--count must be at least 1")
     return given
@@ -145,7 +147,7 @@ def parse_arguments():
 
 def main():
     given = parse_arguments()
-    subprocess.run(["cmake", "--build", str(DEV), "--target", f"{given.room}_tests"], check=True)
+    subprocess.run(["cmake", "--build", str(DEV), "--target", f"{given.room.split('/')[0]}_tests"], check=True)
     tried, survivors = draw(Room(given.room), given.count, given.seed)
     print(f"\n{given.room}: {tried} mutants, {len(survivors)} survived"
           + (":" if survivors else ""))

@@ -7,7 +7,7 @@ usage: page_types.py [--check] [TREE]
 With --check nothing is written, and types that differ from their schema are refused. The schemas
 are a subset of JSON Schema, draft 2020-12: the keywords of KEYWORDS and references to
 "#/$defs/NAME" and "FILE.json#/$defs/NAME". An object states its additionalProperties; with
-properties it has a name in $defs and no others. tests/support/json_schema.h checks documents by
+properties it has a name in $defs and no others. tests/base/support/json_schema.h checks documents by
 the same subset.
 """
 

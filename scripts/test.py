@@ -3,7 +3,7 @@
 
 usage: ./dev test              the stages required for every change
        ./dev test --all        all stages; a stage that has passed for the same tree is not repeated
-       ./dev test ROOM...      the tests of these rooms only
+       ./dev test ROOM...      the tests of these wings and rooms only, such as maps or maps/growing
        ./dev test --changed    the checks, and the tests that the changes since the parent branch can reach
        ./dev test --failed     the tests that failed when tests were last run
        ./dev test --rooms      the rooms that have tests
@@ -58,22 +58,22 @@ def tests(preset, *selection):
     return lambda: test_cases.run(TREE / "build" / preset, selection)
 
 
-# With g++, the tests of the rooms whose results are numbers, and what is not in the wheel, for which g++
+# With g++, the tests of the wings whose results are numbers, and what is not in the wheel, for which g++
 # compiles the program.
-GCC_ROOMS = ["kernels", "core", "codes", "maps", "graph", "same_bits"]
+GCC_GROUPS = ["base", "maps", "systems", "same_bits"]
 NOT_IN_WHEEL = ["somato_topics"]
 
 
 def build_gcc():
     return passes("cmake", "--preset", "gcc") and passes(
-        "cmake", "--build", "build/gcc", "--target", *NOT_IN_WHEEL, *[f"{room}_room" for room in GCC_ROOMS])
+        "cmake", "--build", "build/gcc", "--target", *NOT_IN_WHEEL, *[f"{group}_group" for group in GCC_GROUPS])
 
 
 STAGES = [
     Stage("set-up", command("scripts/setup.sh", "build", "test"),
           "packages missing on a fresh machine"),
     Stage("checks", command("scripts/lint.sh"),
-          "wrong format, forbidden includes between rooms, missing mirrored tests, forbidden wording, "
+          "wrong format, crowded rooms, forbidden includes between rooms, missing mirrored tests, forbidden wording, "
           "types of the pages that differ from their schema, errors in shell scripts"),
     Stage("dev: build", command("./dev", "build", "dev"),
           "clang warnings, all treated as errors", 748, "dev"),
@@ -92,7 +92,7 @@ STAGES = [
     Stage("tsan: tests", tests("tsan"), "data races", 105, "tsan", thorough=True),
     Stage("gcc: build", build_gcc, "g++ warnings of the library; its sources that only clang accepts",
           None, "gcc", thorough=True),
-    Stage("gcc: tests", tests("gcc", "-L", f"^({'|'.join(GCC_ROOMS)})$", "-LE", "^long$"),
+    Stage("gcc: tests", tests("gcc", "-L", f"^({'|'.join(GCC_GROUPS)})$", "-LE", "^long$"),
           "results that depend on the compiler or on release optimization",
           None, "gcc", thorough=True),
     Stage("clang-tidy", command("scripts/run_clang_tidy.py"),
@@ -245,7 +245,8 @@ def check_rooms(wanted):
     for room in wanted:
         if room not in known:
             near = difflib.get_close_matches(room, known, 1)
-            advice = f"did you mean '{near[0]}'?" if near else f"rooms are: {', '.join(known)}"
+            wings = [room for room in known if "/" not in room]
+            advice = f"did you mean '{near[0]}'?" if near else f"there are: {', '.join(wings)}, and their rooms"
             sys.exit(f"./dev test: '{room}' is not a room with tests; {advice}")
 
 
@@ -253,12 +254,12 @@ def run_rooms(wanted, thorough):
     if not configure():
         return False
     check_rooms(wanted)
-    if not passes("cmake", "--build", str(DEV), "--target", *[f"{room}_room" for room in wanted]):
+    if not passes("cmake", "--build", str(DEV), "--target", *sorted({f"{room.split('/')[0]}_group" for room in wanted})):
         return False
     selection = ["-L", f"^({'|'.join(wanted)})$"] + ([] if thorough else ["-LE", "^long$"])
     passed = test_cases.run(DEV, selection)
     report_tests()
-    others = ", ".join(room for room in rooms() if room not in wanted)
+    others = ", ".join(room for room in rooms() if "/" not in room and room not in wanted)
     print(f"Not run: the tests of {others}; {'' if thorough else 'long tests; '}"
           "all checks; sanitizers; the second compiler")
     return passed

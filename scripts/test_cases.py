@@ -1,13 +1,15 @@
-"""Runs the tests of a build by ctest, and reports single cases: a room's cases share processes."""
+"""Runs the tests of a build by ctest, and reports single cases: a room's cases share a process."""
 
 import json
 import os
 import re
 import subprocess
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
+TREE = Path(__file__).resolve().parent.parent
 JUNIT = "tests.xml"
-FAILED = "failed_tests.json"  # what run_failed() runs: names of tests, and cases by room
+FAILED = "failed_tests.json"  # what run_failed() runs: names of tests, and cases by test
 TIMES = "test_times"  # folder with the processor times of the tests that ran
 SLOWEST = 10
 
@@ -38,24 +40,23 @@ def run_ctest(build, selection, environment):
 
 
 def failures_of(build, tests):
-    """Names of tests to run again completely, and the failed cases by room."""
-    whole, by_room = [], {}
+    """Names of tests to run again completely, and the failed cases by test."""
+    whole, by_test = [], {}
     for name, _, failed in tests:
         failed_cases = [case for _, case, wrong in cases_of(build, name) or [] if wrong]
         if failed and failed_cases:
-            by_room.setdefault(name.split(".")[0], []).extend(failed_cases)
+            by_test[name] = failed_cases
         elif failed:
             whole.append(name)
-    return whole, by_room
+    return whole, by_test
 
 
 def print_slowest(build, tests):
     timed = []
     for name, seconds, _ in tests:
         cases = cases_of(build, name)
-        room = name.split(".")[0]
         timed += [(seconds, name)] if cases is None else [
-            (took, f"{room}: {case}") for took, case, _ in cases]
+            (took, f"{name}: {case}") for took, case, _ in cases]
     print(f"\n{len(timed)} cases in {len(tests)} processes; the slowest:")
     for seconds, name in sorted(timed, reverse=True)[:SLOWEST]:
         print(f"{seconds:8.1f} s  {name}")
@@ -64,15 +65,15 @@ def print_slowest(build, tests):
 def summarize(build, tests):
     if not tests:
         return False
-    whole, by_room = failures_of(build, tests)
-    (build / FAILED).write_text(json.dumps([whole, by_room]), encoding="utf-8")
+    whole, by_test = failures_of(build, tests)
+    (build / FAILED).write_text(json.dumps([whole, by_test]), encoding="utf-8")
     print_slowest(build, tests)
     for name in whole:
         print(f"FAILED    {name}")
-    for room, cases in by_room.items():
+    for name, cases in by_test.items():
         for case in cases:
-            print(f"FAILED    {room}: {case}")
-    return not whole and not by_room
+            print(f"FAILED    {name}: {case}")
+    return not whole and not by_test
 
 
 def run(build, selection):
@@ -83,13 +84,12 @@ def run(build, selection):
 def run_failed(build):
     """Runs the tests that failed in the last run, by case if the cases are known."""
     record = build / FAILED
-    whole, by_room = json.loads(record.read_text()) if record.is_file() else ([], {})
-    if not whole and not by_room:
+    whole, by_test = json.loads(record.read_text()) if record.is_file() else ([], {})
+    if not whole and not by_test:
         print("No test failed in the last run.")
         return True
-    # A filter comes before the division into shards: any shard of the room may get the case.
-    names = [re.escape(name) for name in whole] + [rf"{room}\.\d+" for room in by_room]
-    cases = [case for of_room in by_room.values() for case in of_room]
-    crashed = any(re.fullmatch(r"\w+\.\d+", name) for name in whole)
+    names = [re.escape(name) for name in [*whole, *by_test]]
+    cases = [case for of_test in by_test.values() for case in of_test]
+    crashed = any((TREE / "tests" / name.replace(".", "/")).is_dir() for name in whole)
     environment = {"GTEST_FILTER": ":".join(cases)} if cases and not crashed else {}
     return summarize(build, run_ctest(build, ["-R", f"^({'|'.join(names)})$"], environment))

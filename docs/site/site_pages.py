@@ -11,7 +11,8 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 
 CONTENTS = "docs/README"
 SECTION = re.compile(r"^## (.+)$", re.MULTILINE)
-FIRST_LINK = re.compile(r"^\| \[[^\]]+\]\(([^)#]+)\)", re.MULTILINE)
+ROW = re.compile(r"^\|.*\|$", re.MULTILINE)
+LINK = re.compile(r"\]\(([^)#]+)\)")
 LARGEST_SHOWN = 100_000  # bytes of a file
 
 
@@ -29,7 +30,7 @@ def navigation(text):
     """A toctree for each section of docs/README.md, with the pages of its table."""
     titles = SECTION.split(text)[1:]
     for title, section in zip(titles[::2], titles[1::2]):
-        if links := FIRST_LINK.findall(section):
+        if links := LINK.findall("\n".join(ROW.findall(section))):
             yield toctree(map(document_of, links), ":hidden:", f":caption: {title}")
 
 

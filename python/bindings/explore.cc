@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/files/toml_file.h"
 #include "bindings.h"
 #include "errors.h"
-#include "files/toml_file.h"
 #include "interrupts.h"
 #include "nanobind/stl/optional.h"
 #include "nanobind/stl/pair.h"
@@ -14,7 +14,7 @@
 #include "nanobind/stl/unique_ptr.h"
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
-#include "recording/nanoseconds.h"
+#include "recordings/explorations/nanoseconds.h"
 #include "somato/bodies/exploring.h"
 #include "somato/bodies/object_table.h"
 #include "somato/simulation/simulated_explorer.h"

@@ -7,13 +7,13 @@
 #include <span>
 #include <utility>
 
+#include "base/core/threads.h"
 #include "bindings.h"
-#include "core/threads.h"
-#include "drawing/cells.h"
 #include "errors.h"
 #include "interrupts.h"
-#include "maps/batch_training.h"
-#include "maps/sample_range.h"
+#include "maps/pictures/cells.h"
+#include "maps/som/sample_range.h"
+#include "maps/training/batch_training.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "parameters.h"

@@ -5,9 +5,9 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "drawing/map_panels.h"
-#include "drawing/skin_picture.h"
 #include "map.h"
+#include "maps/pictures/map_panels.h"
+#include "maps/pictures/skin_picture.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "somato/maps/som_quality.h"

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "arrays.h"
+#include "base/files/toml_file.h"
+#include "base/files/whole_file.h"
 #include "bindings.h"
 #include "errors.h"
-#include "files/toml_file.h"
-#include "files/whole_file.h"
 #include "interrupts.h"
 #include "map.h"
 #include "nanobind/stl/string.h"
@@ -20,8 +20,8 @@
 #include "somato/graph/system_model.h"
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
-#include "studies/saved_model.h"
-#include "studies/winners_picture.h"
+#include "studies/results/saved_model.h"
+#include "studies/run/winners_picture.h"
 #include "system.h"
 
 namespace somato::python {

@@ -11,9 +11,8 @@
 
 #include "arrays.h"
 #include "bindings.h"
-#include "drawing/map_panels.h"
 #include "errors.h"
-#include "graph/layout_fit.h"
+#include "maps/pictures/map_panels.h"
 #include "nanobind/stl/optional.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
@@ -24,6 +23,7 @@
 #include "somato/graph/further_learning.h"
 #include "somato/graph/live_system.h"
 #include "somato/recording/recording.h"
+#include "systems/graph/layout_fit.h"
 
 namespace somato::python {
 namespace {

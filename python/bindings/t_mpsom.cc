@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "arrays.h"
+#include "base/archives/archive.h"
 #include "bindings.h"
 #include "errors.h"
-#include "files/archive.h"
 #include "interrupts.h"
-#include "maps/t_mpsom_archive.h"
-#include "maps/t_mpsom_learner.h"
+#include "maps/t_mpsom/t_mpsom_archive.h"
+#include "maps/t_mpsom/t_mpsom_learner.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "parameters.h"

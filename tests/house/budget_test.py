@@ -86,7 +86,7 @@ class File(TreeTest):
 
 class Measured(TreeTest):
     def run_test(self, *command):
-        file = self.tree / "times/maps.0"
+        file = self.tree / "times/maps.som"
         file.parent.mkdir(exist_ok=True)
         return subprocess.run([LAUNCHER, file, *command], capture_output=True, text=True), file
 
@@ -95,18 +95,17 @@ class Measured(TreeTest):
         done, _ = self.run_test("bash", "-c", work)
         self.assertEqual(done.returncode, 3)
         seconds = budget.seconds_of_tests(self.tree / "times", "dev")
-        self.assertEqual(list(seconds), ["dev: maps"])
+        self.assertEqual(list(seconds), ["dev: maps.som"])
         # The times of the test's own processes, as it prints them itself.
-        self.assertGreaterEqual(seconds["dev: maps"], budget.times_of(done.stdout))
+        self.assertGreaterEqual(seconds["dev: maps.som"], budget.times_of(done.stdout))
         self.assertGreater(budget.times_of(done.stdout), 0)
 
-    def test_the_shards_of_a_room_are_one_entry(self):
-        self.write("times/maps.0", "0m9.0s 0m9.0s\n1m2.500s 0m0.250s\n")
-        self.write("times/maps.1", "0m0.0s 0m0.0s\n0m1,000s 0m0,250s\n")
-        self.write("times/web.view", "0m0.0s 0m0.0s\n0m3.000s 0m0.000s\n")
+    def test_tests_that_were_killed_have_no_entry(self):
+        self.write("times/maps.som", "0m9.0s 0m9.0s\n1m2.500s 0m0.250s\n")
+        self.write("times/web.view", "0m0.0s 0m0.0s\n0m3.000s 0m0,000s\n")
         self.write("times/web.killed", "")
         self.assertEqual(budget.seconds_of_tests(self.tree / "times", "dev"),
-                         {"dev: maps": 64.0, "dev: web.view": 3.0})
+                         {"dev: maps.som": 62.75, "dev: web.view": 3.0})
 
     def test_the_fixed_job_is_the_same_work_everywhere(self):
         # Another checksum is other work: figures of the budget then have another unit.
@@ -117,10 +116,10 @@ class Stages(TreeTest):
     """A run of made-up stages."""
 
     def test_tests_have_entries_and_the_set_up_has_none(self):
-        self.write("build/dev/test_times/maps.0", "0m0.0s 0m0.0s\n0m5.000s 0m0.000s\n")
+        self.write("build/dev/test_times/maps.som", "0m0.0s 0m0.0s\n0m5.000s 0m0.000s\n")
         stage = dev_test.Stage("dev: tests", None, "", preset="dev")
         with mock.patch.object(dev_test, "TREE", self.tree):
-            self.assertEqual(dev_test.entries_of(stage, 9), {"dev: tests": 9, "dev: maps": 5})
+            self.assertEqual(dev_test.entries_of(stage, 9), {"dev: tests": 9, "dev: maps.som": 5})
             for name, entries in (("dev: build", {"dev: build": 9}), ("set-up", {}), ("checks", {})):
                 self.assertEqual(dev_test.entries_of(dev_test.Stage(name, None, "", preset="dev"), 9), entries)
 

@@ -8,43 +8,44 @@ import changed_run
 import changed_tests
 
 TREE = Path(changed_tests.__file__).resolve().parent.parent
-TESTS = ["codes.0", "codes.1", "maps.0", "maps.1", "program.0", "web.unit", "web.view", "web.view_moving",
-         "web.report", "fuzz.csv_replay"]
+TESTS = ["maps.som", "maps.grid", "program.view", "systems.codes", "systems.walk", "web.unit", "web.view",
+         "web.view_moving", "web.report", "fuzz.csv_replay"]
 
 
 class Selected(TreeTest):
     def setUp(self):
         super().setUp()
+        self.write_rooms()
         self.write("include/somato/maps/som.h", "")
-        self.write("src/maps/som.cc", '#include "somato/maps/som.h"\n')
-        self.write("src/maps/elements.h", "")
+        self.write("src/maps/som/som.cc", '#include "somato/maps/som.h"\n')
+        self.write("src/maps/som/elements.h", "")
         self.write("include/somato/graph/system.h", '#include "somato/maps/som.h"\n')
-        self.write("tests/graph/system_test.cc", '#include "somato/graph/system.h"\n')
-        self.write("program/train_command.cc", '#include "somato/graph/system.h"\n')
-        self.write("src/codes/pca.h", "")
-        self.write("src/codes/pca.cc", '#include "codes/pca.h"\n')
-        self.write("fuzz/model_fuzz.cc", '#include "maps/elements.h"\n')
+        self.write("tests/systems/graph/system_test.cc", '#include "somato/graph/system.h"\n')
+        self.write("program/study/train_command.cc", '#include "somato/graph/system.h"\n')
+        self.write("src/systems/codes/pca.h", "")
+        self.write("src/systems/codes/pca.cc", '#include "systems/codes/pca.h"\n')
+        self.write("fuzz/model_fuzz.cc", '#include "maps/som/elements.h"\n')
         self.write("docs/maps.md", "")
 
     def select(self, *names):
         return changed_tests.select(self.tree, list(names))
 
     def test_a_source_reaches_the_rooms_that_include_its_header(self):
-        chosen = self.select("src/maps/som.cc")
-        self.assertEqual(chosen.changed, {"maps"})
-        self.assertEqual(chosen.near, {"graph": 1, "program": 2})
+        chosen = self.select("src/maps/som/som.cc")
+        self.assertEqual(chosen.changed, {"maps/som"})
+        self.assertEqual(chosen.near, {"maps": 0, "systems": 1, "systems/graph": 2, "program/study": 2})
 
     def test_a_header_reaches_fuzzers_and_only_those_that_include_it(self):
-        self.assertEqual(self.select("src/maps/elements.h").near, {"fuzz.model_replay": 1})
-        chosen = self.select("src/codes/pca.h")
-        self.assertEqual((chosen.changed, chosen.near), ({"codes"}, {}))
+        self.assertEqual(self.select("src/maps/som/elements.h").near, {"fuzz.model_replay": 1})
+        chosen = self.select("src/systems/codes/pca.h")
+        self.assertEqual((chosen.changed, chosen.near), ({"systems/codes"}, {}))
 
     def test_a_source_that_defines_functions_of_another_header(self):
-        self.write("src/maps/som_elements.cc", "")
-        self.assertEqual(self.select("src/maps/som_elements.cc").near, {"graph": 1, "program": 2})
+        self.write("src/maps/som/som_elements.cc", '#include "somato/maps/som.h"\n')
+        self.assertEqual(self.select("src/maps/som/som_elements.cc").near["systems"], 1)
 
     def test_a_removed_header_is_not_an_error(self):
-        self.assertEqual(self.select("src/maps/gone.h").changed, {"maps"})
+        self.assertEqual(self.select("src/maps/som/gone.h").changed, {"maps/som"})
 
     def test_files_that_are_not_sources(self):
         for name, reached in (
@@ -53,7 +54,7 @@ class Selected(TreeTest):
                 ("web/tests/parts/orbit.test.ts", {"web.unit", "web.types"}),
                 ("web/src/report/map.ts", {"web.unit", "web.types", "web.report"}),
                 ("python/somato/som.py", {"python"}), ("scripts/mutate.py", {"house"}),
-                ("systems/texture.toml", {"studies", "suggestion"}), ("devices/leap.toml", {"devices", "emulation"}),
+                ("systems/texture.toml", {"studies"}), ("devices/leap.toml", {"hardware"}),
                 ("fuzz/corpus/csv/a.csv", {"fuzz.csv_replay"}), ("tests/same_bits/expected.txt", {"same_bits"}),
                 ("CHANGELOG.md", set())):
             with self.subTest(name):
@@ -65,7 +66,7 @@ class Selected(TreeTest):
         self.assertEqual((chosen.documents, chosen.changed), (["docs/maps.md"], set()))
 
     def test_what_cannot_be_bounded(self):
-        names = ["dev", "cmake/SomatoTest.cmake", "src/CMakeLists.txt", "tests/support/random.cc"]
+        names = ["dev", "cmake/SomatoTest.cmake", "src/CMakeLists.txt", "tests/base/support/random.cc"]
         self.assertEqual(self.select(*names).unbounded, names)
         self.assertEqual(self.select("tests/web/CMakeLists.txt").unbounded, [])
 
@@ -75,15 +76,15 @@ class WithinLimit(unittest.TestCase):
         return changed_tests.Selection(changed=set(changed), near=near or {})
 
     def test_the_nearest_come_first_up_to_the_limit(self):
-        seconds = dict.fromkeys(["maps.0", "maps.1"], 50) | {"program.0": 60, "web.unit": 5}
+        seconds = dict.fromkeys(["maps.som", "maps.grid"], 50) | {"program.view": 60, "web.unit": 5}
         run, left = changed_tests.within_limit(
-            self.chosen(["codes"], {"web.unit": 3, "program": 2, "maps": 1}), TESTS, seconds.get)
-        self.assertEqual(run, ["codes.0", "codes.1", "maps.0", "maps.1", "web.unit"])
-        self.assertEqual(left, ["program.0"])
+            self.chosen(["systems/codes"], {"web.unit": 3, "program/view": 2, "maps": 1}), TESTS, seconds.get)
+        self.assertEqual(run, ["systems.codes", "maps.som", "maps.grid", "web.unit"])
+        self.assertEqual(left, ["program.view"])
 
     def test_a_changed_room_runs_whatever_it_costs(self):
         run, left = changed_tests.within_limit(self.chosen(["program"]), TESTS, lambda _: 1000)
-        self.assertEqual((run, left), (["program.0"], []))
+        self.assertEqual((run, left), (["program.view"], []))
 
     def test_single_tests(self):
         run, _ = changed_tests.within_limit(self.chosen(["web.view*", "fuzz.csv_replay"]), TESTS, lambda _: 1)
@@ -92,8 +93,8 @@ class WithinLimit(unittest.TestCase):
 
 class Run(unittest.TestCase):
     def test_targets(self):
-        self.assertEqual(changed_run.targets_of(["maps.0", "maps.1", "fuzz.csv_replay"], ["docs/a.md"]),
-                         ["csv_replay", "docs_room", "maps_room"])
+        self.assertEqual(changed_run.targets_of(["maps.som", "maps.grid", "fuzz.csv_replay"], ["docs/a.md"]),
+                         ["csv_replay", "docs_group", "maps_group"])
 
     def test_documents_run_one_by_one_with_the_options_of_the_build(self):
         command = ["measure", "times", "python3", "run_doc_blocks.py", "--link", "a.so", "--scratch", "s",
@@ -106,11 +107,11 @@ class Run(unittest.TestCase):
         self.assertNotIn("--without", words)
         self.assertNotIn("--share", words)
 
-    def test_shards_share_the_seconds_of_their_room(self):
+    def test_seconds_of_the_budget_where_no_run_is_known(self):
         with mock.patch.object(changed_run, "UNIT", 0.5), mock.patch.multiple(changed_run.budget, LAST=TREE / "missing.json",
-                                 read=lambda: {"dev: maps": 8.0, "dev: web.view": 3.0}):
-            self.assertEqual(changed_run.seconds_by_test(["maps.0", "maps.1", "web.view", "new.0"]),
-                             {"maps.0": 2, "maps.1": 2, "web.view": 1.5})
+                                 read=lambda: {"dev: maps.som": 8.0, "dev: web.view": 3.0}):
+            self.assertEqual(changed_run.seconds_by_test(["maps.som", "maps.new", "web.view"]),
+                             {"maps.som": 4, "web.view": 1.5})
 
 
 if __name__ == "__main__":

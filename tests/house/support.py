@@ -5,7 +5,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+TREE = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TREE / "scripts"))
 
 
 class TreeTest(unittest.TestCase):
@@ -15,6 +16,10 @@ class TreeTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.tree = Path(folder.name)
+
+    def write_rooms(self):
+        """Gives the tree the table of rooms of this checkout."""
+        self.write("src/rooms.json", (TREE / "src/rooms.json").read_text(encoding="utf-8"))
 
     def write(self, name, text=""):
         path = self.tree / name

@@ -50,33 +50,33 @@ class TestCases(TreeTest):
 
     def test_names_the_slowest_cases(self):
         passed, printed = self.run_with(
-            [("maps.0", 3, "run"), ("web.view", 9, "run")],
-            {"maps.0": suite(("Quick", 0.1, False), ("Slow", 2.5, False))})
+            [("maps.som", 3, "run"), ("web.view", 9, "run")],
+            {"maps.som": suite(("Quick", 0.1, False), ("Slow", 2.5, False))})
         self.assertTrue(passed)
         lines = [line.split("s  ")[-1] for line in printed.splitlines() if " s  " in line]
-        self.assertEqual(lines, ["web.view", "maps: Grid.Slow", "maps: Grid.Quick"])
+        self.assertEqual(lines, ["web.view", "maps.som: Grid.Slow", "maps.som: Grid.Quick"])
         self.assertIn("3 cases in 2 processes", printed)
 
-    def test_runs_failed_cases_in_all_shards_of_their_room(self):
+    def test_runs_failed_cases_of_a_room(self):
         passed, printed = self.run_with(
-            [("maps.0", 3, "fail"), ("maps.1", 3, "run"), ("web.view", 9, "fail")],
-            {"maps.0": suite(("A", 1, True), ("B", 1, False)), "maps.1": suite(("C", 1, False))})
+            [("maps.som", 3, "fail"), ("maps.grid", 3, "run"), ("web.view", 9, "fail")],
+            {"maps.som": suite(("A", 1, True), ("B", 1, False)), "maps.grid": suite(("C", 1, False))})
         self.assertFalse(passed)
-        self.assertIn("FAILED    maps: Grid.A\n", printed)
+        self.assertIn("FAILED    maps.som: Grid.A\n", printed)
         self.assertIn("FAILED    web.view\n", printed)
-        passed, _ = self.run_with([("maps.0", 1, "run")], {"maps.0": suite(("A", 1, False))},
+        passed, _ = self.run_with([("maps.som", 1, "run")], {"maps.som": suite(("A", 1, False))},
                                   test_cases.run_failed)
         self.assertTrue(passed)
         names, cases = json.loads((self.tree / "ran.json").read_text())
-        self.assertEqual((names, cases), (r"^(web\.view|maps\.\d+)$", "Grid.A"))
+        self.assertEqual((names, cases), (r"^(web\.view|maps\.som)$", "Grid.A"))
         self.assertEqual(self.run_with([], {}, test_cases.run_failed)[1],
                          "No test failed in the last run.\n")
 
     def test_a_room_that_crashed_runs_again_whole(self):
-        self.assertFalse(self.run_with([("maps.0", 3, "fail")], {})[0])
-        self.run_with([("maps.0", 3, "run")], {}, test_cases.run_failed)
+        self.assertFalse(self.run_with([("maps.som", 3, "fail")], {})[0])
+        self.run_with([("maps.som", 3, "run")], {}, test_cases.run_failed)
         self.assertEqual(json.loads((self.tree / "ran.json").read_text()),
-                         [r"^(maps\.0)$", None])
+                         [r"^(maps\.som)$", None])
 
     def test_no_test_at_all_is_a_failure(self):
         self.assertFalse(self.run_with([], {})[0])

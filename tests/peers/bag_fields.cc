@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "bags/bag_files.h"
-#include "ros/field_reader.h"
-#include "ros/topic_type.h"
+#include "recordings/bags/bag_files.h"
+#include "recordings/ros/field_reader.h"
+#include "recordings/ros/topic_type.h"
 
 namespace {
 

@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
-#include "devices/dynamixel_bus.h"
-#include "devices/feetech_bus.h"
-#include "emulation/dynamixel_servos.h"
-#include "emulation/feetech_servos.h"
-#include "support/board_line.h"
-#include "wire/anyskin_frame.h"
+#include "hardware/buses/dynamixel_bus.h"
+#include "hardware/buses/feetech_bus.h"
+#include "hardware/emulation/dynamixel_servos.h"
+#include "hardware/emulation/feetech_servos.h"
+#include "hardware/protocols/anyskin_frame.h"
+#include "hardware/support/board_line.h"
 
 namespace somato {
 namespace {

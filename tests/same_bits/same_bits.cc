@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "core/elementary.h"
-#include "files/archive.h"
-#include "files/toml_file.h"
-#include "kernels/instruction_set.h"
-#include "maps/som_archive.h"
+#include "base/archives/archive.h"
+#include "base/core/elementary.h"
+#include "base/files/toml_file.h"
+#include "base/kernels/instruction_set.h"
+#include "maps/som/som_archive.h"
 #include "somato/codes/spectrum.h"
 #include "somato/core/random.h"
 #include "somato/core/signal.h"

@@ -14,10 +14,10 @@ namespace somato {
 /// The formats of recorded data that can be read without a description.
 enum class RecordingFormat {
   kAutomatic,         ///< Detected by the names of the files.
-  kIcubGrasp,         ///< See recording/icub_grasp.h.
-  kFabricslide,       ///< See recording/fabricslide.h.
-  kHkustPressSlide,   ///< See recording/hkust_press_slide.h.
-  kAcousticHardness,  ///< See recording/acoustic_hardness.h.
+  kIcubGrasp,         ///< See recordings/imports/icub_grasp.h.
+  kFabricslide,       ///< See recordings/imports/fabricslide.h.
+  kHkustPressSlide,   ///< See recordings/imports/hkust_press_slide.h.
+  kAcousticHardness,  ///< See recordings/imports/acoustic_hardness.h.
 };
 
 template <>

@@ -1,0 +1,325 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "base/files/toml_file.h"
+#include "base/text/text.h"
+#include "flags/commands.h"
+#include "recordings/bags/bag_description.h"
+#include "recordings/bags/bag_import.h"
+#include "recordings/imports/mcap_trials.h"
+#include "recordings/imports/wav_trials.h"
+#include "recordings/imports/yarp_dumps.h"
+#include "somato/recording/csv_import.h"
+#include "somato/recording/format.h"
+#include "somato/recording/recording_file.h"
+#include "terminal/terminal.h"
+#include "terminal/wording.h"
+
+namespace somato::program {
+namespace {
+
+constexpr const char* kCsv = "csv";
+constexpr const char* kMcap = "mcap";
+constexpr const char* kBag = "bag";
+constexpr const char* kYarp = "yarp";
+constexpr const char* kWav = "wav";
+
+// A recording and an additional message.
+struct Imported {
+  Recording recording;
+  std::string remark;
+};
+
+Imported without_remark(Recording recording) {
+  return {std::move(recording), {}};
+}
+
+std::vector<std::string> formats() {
+  std::vector<std::string> names;
+  names.reserve(Choices<RecordingFormat>::all().size() + 5);
+  for (const auto& [format, name] : Choices<RecordingFormat>::all()) names.push_back(name);
+  names.emplace_back(kCsv);
+  names.emplace_back(kMcap);
+  names.emplace_back(kBag);
+  names.emplace_back(kYarp);
+  names.emplace_back(kWav);
+  return names;
+}
+
+// "touch:counts=taxel1..taxel16+Fz", where the unit is optional.
+Result<CsvChannel> channel_of(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) {
+    return fail(ErrorKind::kUsage, fmt::format("'{}' is not a channel", text), "--channels",
+                "write for example touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz");
+  }
+  const std::string head = text.substr(0, equals);
+  const std::size_t colon = std::min(head.find(':'), head.size());
+  CsvChannel channel;
+  channel.name = head.substr(0, colon);
+  channel.unit = head.substr(std::min(colon + 1, head.size()));
+  channel.columns = split(text.substr(equals + 1), '+');
+  return channel;
+}
+
+Result<CsvImport> description_of_flags(const Arguments& arguments) {
+  CsvImport description;
+  SOMATO_TRY(auto trials, read_flags<CsvTrials>(arguments));
+  description.trials = std::move(trials);
+  if (!arguments.has("channels")) return description;
+  for (const std::string& text : split(arguments.text("channels"), ',')) {
+    SOMATO_TRY(auto channel, channel_of(text));
+    description.channels.push_back(std::move(channel));
+  }
+  return description;
+}
+
+// The flags that describe files of a format, with `others`.
+template <typename Trials>
+std::vector<std::string> flags_of(std::vector<std::string> others) {
+  for (const ParameterInfo& info : Trials::declarations().infos()) {
+    others.push_back(flag_of(info.name));
+  }
+  return others;
+}
+
+std::vector<std::string> csv_flags() {
+  return flags_of<CsvTrials>({"--description", "--channels"});
+}
+
+std::vector<std::string> bag_flags() {
+  return flags_of<BagTrials>({"--description", "--channels", "--labels"});
+}
+
+// A given flag that describes files and is not in `known`, if any.
+std::string describing_flag(const Arguments& arguments, const std::vector<std::string>& known) {
+  std::vector<std::string> names = csv_flags();
+  for (const std::string& name : bag_flags()) names.push_back(name);
+  const auto given = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+    return arguments.has(name.substr(2)) &&
+           std::find(known.begin(), known.end(), name) == known.end();
+  });
+  return given == names.end() ? std::string() : *given;
+}
+
+// A description in a file and by flags contradict each other.
+Result<void> check_flags(const Arguments& arguments, const std::vector<std::string>& known) {
+  const std::string foreign = describing_flag(arguments, known);
+  if (!foreign.empty()) {
+    return fail(
+        ErrorKind::kUsage,
+        fmt::format("the flag describes files of another format than {}", arguments.text("FORMAT")),
+        foreign, "leave out the flag");
+  }
+  if (!arguments.has("description")) return {};
+  const std::string flag = describing_flag(arguments, {"--description"});
+  if (flag.empty()) return {};
+  return fail(ErrorKind::kUsage, "the files are described by both a flag and --description", flag,
+              "leave out the flag, or --description");
+}
+
+Result<CsvImport> description_of(const Arguments& arguments) {
+  SOMATO_TRY_VOID(check_flags(arguments, csv_flags()));
+  if (!arguments.has("description")) return description_of_flags(arguments);
+  return read_toml(arguments.text("description")).and_then(read_csv_import);
+}
+
+// The numbers of rows and files left out, as a second line; empty for none.
+std::string line_of(const CsvLeftOut& left_out) {
+  if (left_out.rows == 0) return {};
+  std::string files;
+  if (left_out.files > 0) {
+    files = fmt::format(", with {} {} shorter than a window", left_out.files,
+                        left_out.files == 1 ? "file" : "files");
+  }
+  return fmt::format("left out, because they fill no window: {} {}{}\n", left_out.rows,
+                     left_out.rows == 1 ? "row" : "rows", files);
+}
+
+Result<Imported> import_csv(const Arguments& arguments) {
+  CsvLeftOut left_out;
+  return description_of(arguments)
+      .and_then([&](const CsvImport& description) {
+        return import_csv_trials(arguments.text("DIR"), description, &left_out);
+      })
+      .map([&](Recording recording) { return Imported{std::move(recording), line_of(left_out)}; });
+}
+
+// Files that define their channels; `import_trials` takes the folder, the pattern and whether to
+// pass over other files.
+template <typename ImportTrials>
+Result<Imported> import_described(const Arguments& arguments, const ImportTrials& import_trials) {
+  const std::string flag = describing_flag(arguments, {"--files", "--other-files"});
+  if (!flag.empty()) {
+    return fail(ErrorKind::kUsage, "the files define their channels", flag,
+                "leave out the flag, or import as csv");
+  }
+  return read_flags<CsvTrials>(arguments)
+      .and_then([&](const CsvTrials& trials) {
+        return import_trials(arguments.text("DIR"), trials.files,
+                             trials.other_files == Unmentioned::kIgnore);
+      })
+      .map(without_remark);
+}
+
+Result<Imported> import_yarp(const Arguments& arguments) {
+  const std::string flag = describing_flag(arguments, {"--files", "--other-files"});
+  if (!flag.empty()) {
+    return fail(ErrorKind::kUsage, "the folders of dumps define the channels", flag,
+                "leave out the flag");
+  }
+  SOMATO_TRY(const CsvTrials trials, read_flags<CsvTrials>(arguments));
+  SOMATO_TRY(YarpImport import, import_yarp_dumps(arguments.text("DIR"), trials.files,
+                                                  trials.other_files == Unmentioned::kIgnore));
+  std::string remark;
+  for (const std::string& dump : import.left_out) remark += fmt::format("left out: {}\n", dump);
+  return Imported{std::move(import.recording), std::move(remark)};
+}
+
+Result<Imported> import_named(const Arguments& arguments) {
+  const std::string& name = arguments.text("FORMAT");
+  const std::string flag = describing_flag(arguments, {});
+  if (!flag.empty()) {
+    return fail(ErrorKind::kUsage, fmt::format("the format '{}' needs no description", name), flag,
+                "leave out the flag, or import as csv");
+  }
+  for (const auto& [format, known] : Choices<RecordingFormat>::all()) {
+    if (known != name) continue;
+    return load_recording(format, arguments.text("DIR")).map(without_remark);
+  }
+  return fail(unknown_name("format", name, "FORMAT", formats()));
+}
+
+Result<Imported> import(const Arguments& arguments) {
+  const std::string& format = arguments.text("FORMAT");
+  if (format == kCsv) return import_csv(arguments);
+  if (format == kYarp) return import_yarp(arguments);
+  if (format == kWav) return import_described(arguments, import_wav_trials);
+  if (format == kMcap) return import_described(arguments, import_mcap_trials);
+  return import_named(arguments);
+}
+
+std::string summary(const Exploration& first, std::size_t explorations) {
+  std::vector<std::string> labels;
+  labels.reserve(first.labels.size());
+  for (const Label& label : first.labels) labels.push_back(label.name);
+  std::vector<std::string> channels;
+  channels.reserve(first.channels.size());
+  for (const Channel& channel : first.channels) {
+    channels.push_back(fmt::format("{} ({}{}{})", channel.name, channel.frames.columns(),
+                                   channel.unit.empty() ? "" : " x ", channel.unit));
+  }
+  return fmt::format("{} explorations; labels: {}; channels: {}", explorations,
+                     fmt::join(labels, ", "), fmt::join(channels, ", "));
+}
+
+Result<BagImport> bag_description_of(const Arguments& arguments) {
+  SOMATO_TRY_VOID(check_flags(arguments, bag_flags()));
+  if (arguments.has("description")) {
+    return read_toml(arguments.text("description")).and_then(read_bag_import);
+  }
+  BagImport description;
+  SOMATO_TRY(description.trials, read_flags<BagTrials>(arguments));
+  if (arguments.has("channels")) {
+    for (const std::string& text : split(arguments.text("channels"), ',')) {
+      SOMATO_TRY(auto channel, parse_bag_channel(text));
+      description.channels.push_back(std::move(channel));
+    }
+  }
+  if (arguments.has("labels")) {
+    for (const std::string& text : split(arguments.text("labels"), ',')) {
+      SOMATO_TRY(auto label, parse_bag_label(text));
+      description.labels.push_back(std::move(label));
+    }
+  }
+  return description;
+}
+
+std::string lines_of(const BagImportReport& report) {
+  std::string lines;
+  if (report.frames_outside > 0) {
+    lines +=
+        fmt::format("left out: {} frames outside of the explorations\n", report.frames_outside);
+  }
+  for (const LeftOutTopic& topic : report.left_out) {
+    lines += fmt::format("left out: {} ({}, {}): {}\n", topic.topic, topic.type,
+                         counted(topic.messages, "message"), topic.reason);
+  }
+  return lines;
+}
+
+// Explorations are written as they are read.
+Result<void> run_bag_import(const Arguments& arguments) {
+  SOMATO_TRY(const BagImport description, bag_description_of(arguments));
+  const std::string path = arguments.text("output");
+  catch_stop_requests();
+  SOMATO_TRY(RecordingFile file, RecordingFile::begin(path));
+  SOMATO_TRY(const BagImportReport report, import_bags(arguments.text("DIR"), description, file,
+                                                       [] { return !stop_requested(); }));
+  SOMATO_TRY_VOID(file.finish());
+  print_summary(fmt::format("{}: {}\n{}", path, summary(report.first, report.explorations),
+                            lines_of(report)));
+  return {};
+}
+
+Result<void> run_import(const Arguments& arguments) {
+  if (arguments.text("FORMAT") == kBag) return run_bag_import(arguments);
+  SOMATO_TRY(const auto imported, import(arguments));
+  const std::string path = arguments.text("output");
+  SOMATO_TRY_VOID(write_recording(path, imported.recording));
+  print_summary(fmt::format(
+      "{}: {}\n{}", path,
+      summary(imported.recording.explorations.front(), imported.recording.explorations.size()),
+      imported.remark));
+  return {};
+}
+
+// The parameters of both descriptions; those of the same name mean the same, except for labels.
+std::vector<ParameterInfo> import_parameters() {
+  std::vector<ParameterInfo> infos = CsvTrials::declarations().infos();
+  for (ParameterInfo& info : infos) {
+    if (info.name == "labels") {
+      info.text += " For bag: labels such as object=cup or object=/topic:field.";
+    }
+  }
+  for (ParameterInfo info : BagTrials::declarations().infos()) {
+    const bool is_known = std::any_of(infos.begin(), infos.end(), [&](const ParameterInfo& other) {
+      return other.name == info.name;
+    });
+    info.text = "For bag: " + info.text;
+    if (!is_known) infos.push_back(std::move(info));
+  }
+  return infos;
+}
+
+}  // namespace
+
+Command import_command() {
+  return {
+      "import",
+      "Import a folder of recorded files as a recording",
+      {{"FORMAT",
+        fmt::format(
+            "Format of the files: {}; mcap, wav and yarp take the flags --files and --other-files",
+            fmt::join(formats(), ", ")),
+        true, false, Role::kValue, formats},
+       {"DIR", "Folder with the files, also in subfolders; for csv and bag also a single file",
+        true}},
+      {output_flag("-o,--output", "File for the recording", true),
+       input_flag("--description",
+                  "For csv and bag: TOML file with the tables [import] and [[channel]] (and "
+                  "[[label]] for bag), instead of the flags below"),
+       {"--channels",
+        "For csv: the channels with their units and columns, such as "
+        "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz or 'touch=taxel_*'. For bag: with their "
+        "topics and fields, such as 'touch:counts=/xServTopic:sensors[*].taxels[*].z'; without "
+        "it the channels of all known types"}},
+      import_parameters(),
+      run_import,
+      "import"};
+}
+
+}  // namespace somato::program

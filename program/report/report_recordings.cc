@@ -1,0 +1,60 @@
+#include "report/report_recordings.h"
+
+#include <iterator>
+#include <memory>
+#include <system_error>
+
+namespace somato::program {
+
+Result<void> ReportRecordings::add_named(const std::string& path) {
+  SOMATO_TRY(auto given, GivenRecordings::at(path));
+  given_.push_back(std::move(given));
+  for (std::size_t i = 0; i < given_.back().count(); ++i) {
+    SOMATO_TRY_VOID(look_at({given_.size() - 1, i}));
+  }
+  return {};
+}
+
+std::vector<GivenRecordings> recordings_beside(const std::filesystem::path& results) {
+  const std::filesystem::path folder = std::filesystem::absolute(results).parent_path();
+  std::vector<GivenRecordings> found;
+  for (const auto& place : {folder, folder / "recordings"}) {
+    std::error_code missing;
+    if (std::filesystem::is_directory(place, missing)) {
+      found.push_back(GivenRecordings::files_in(place));
+    }
+  }
+  return found;
+}
+
+void ReportRecordings::add_beside(const std::filesystem::path& results) {
+  for (GivenRecordings& given : recordings_beside(results)) {
+    for (std::size_t i = 0; i < given.count(); ++i) unread_.push_back({given_.size(), i});
+    given_.push_back(std::move(given));
+  }
+}
+
+std::shared_ptr<const Recording> ReportRecordings::find(const std::string& hash) {
+  if (const auto known = known_.find(hash); known != known_.end()) return take(known->second);
+  while (!unread_.empty()) {
+    const Place place = unread_.front();
+    unread_.erase(unread_.begin());
+    const auto found = look_at(place);
+    if (found && *found == hash) return take(place);
+  }
+  return {};
+}
+
+Result<std::string> ReportRecordings::look_at(Place place) {
+  SOMATO_TRY(auto kept, given_[place.given].get(place.number));
+  known_.emplace(kept->info.hash, place);
+  return kept->info.hash;
+}
+
+std::shared_ptr<const Recording> ReportRecordings::take(Place place) {
+  const auto kept = given_[place.given].get(place.number);
+  if (!kept) return {};
+  return {*kept, &(*kept)->recording};
+}
+
+}  // namespace somato::program

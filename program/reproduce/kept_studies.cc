@@ -1,0 +1,43 @@
+#include "reproduce/kept_studies.h"
+
+#include <system_error>
+
+#include "base/files/whole_file.h"
+#include "flags/output_folder.h"
+#include "studies/reproduction/part_file.h"
+
+namespace somato::program {
+namespace {
+
+constexpr const char* kFound = ".found";
+
+}  // namespace
+
+Result<void> KeptStudies::make_folders() const {
+  return make_folder(unfinished());
+}
+
+void KeptStudies::look() {
+  std::error_code ignored;
+  for (const auto& part : std::filesystem::directory_iterator(parts_, ignored)) {
+    for (const auto& file : std::filesystem::directory_iterator(part.path(), ignored)) {
+      if (file.path().extension() == kFound) found_[file.path().stem().string()] = file.path();
+    }
+  }
+}
+
+std::optional<PartResults> KeptStudies::find(const std::string& name) const {
+  const auto found = found_.find(name);
+  if (found == found_.end()) return {};
+  const auto content = read_whole(found->second.string());
+  return content ? read_part_file(*content) : std::nullopt;
+}
+
+Result<void> KeptStudies::keep(const std::string& name, const PartResults& results) {
+  const std::filesystem::path path = own_ / (name + kFound);
+  SOMATO_TRY_VOID(save_whole(path.string(), part_file(results)));
+  found_[name] = path;
+  return {};
+}
+
+}  // namespace somato::program

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "flags/command_line.h"
+#include "reproduce/reproduction_recordings.h"
+#include "somato/core/result.h"
+#include "somato/studies/reproduction.h"
+#include "studies/reproduction/reproduction_run.h"
+
+namespace somato::program {
+
+/// The pairs that a command runs, and the source of their recordings.
+struct PairsRequest : PairOptions {
+  std::size_t recordings = 6;
+  std::optional<GivenRecordings> given;  ///< Recordings to use instead of exploring.
+};
+
+/// --data and --test-data of the commands that run systems on pairs.
+Flag given_recordings_flag();
+Flag test_recording_flag();
+
+/// Reads --threads, --data and --test-data.
+Result<void> read_threads_and_data(const Arguments& arguments, PairsRequest& request);
+
+/// Errors (kUsage): the part has a missing or invalid description of the exploration; with given
+/// recordings it is not required.
+Result<void> check_explorable(const ReproductionPart& part, bool given);
+
+/// The recordings of parts: given ones, or explored and stored in a folder.
+class PartRecordings final : public RecordingSource {
+ public:
+  /// The request must outlive it.
+  PartRecordings(PairsRequest& request, const std::filesystem::path& folder)
+      : request_(request), explored_(folder, request.seed, request.threads) {}
+
+  bool is_given() const override { return request_.given.has_value(); }
+  Result<std::size_t> count(const ReproductionPart& part) const override;
+  Result<KeptRecordings::Kept> get(const ReproductionPart& part, std::size_t index) override;
+  Result<std::string> identity(const ReproductionPart& part, std::size_t index) override;
+
+ private:
+  /// The numbers of the given recordings that fit the part.
+  std::vector<std::size_t> given_for(const ReproductionPart& part) const;
+
+  PairsRequest& request_;
+  ExploredRecordings explored_;
+  std::map<std::size_t, std::string> given_hashes_;
+};
+
+}  // namespace somato::program

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reproduce/kept_studies.h"
+#include "reproduce/part.h"
+#include "reproduce/part_recordings.h"
+#include "reproduce/sweep_progress.h"
+#include "somato/core/result.h"
+#include "studies/sweep/sweep_plan.h"
+#include "studies/sweep/sweep_results.h"
+#include "terminal/folder_lock.h"
+
+namespace somato::program {
+
+/// The sweep described by the command line.
+struct SweepRequest {
+  SystemSweep sweep;
+  std::vector<SweepPoint> points;
+  PairsRequest pairs;
+  Part part;
+  std::filesystem::path out;
+};
+
+/// Runs the points of one part, and combines the results of all parts.
+class SweepRun {
+ public:
+  /// The request must outlive this object.
+  explicit SweepRun(SweepRequest& request);
+
+  /// Errors: kSystem.
+  Result<void> make_folders() const;
+
+  /// Locks the part against other runs. Errors: kSystem.
+  Result<FolderLock> lock() const { return FolderLock::take(kept_.own_folder()); }
+
+  /// Runs its points that no part has completed. Errors: those of PartRunner::run(), with the
+  /// point.
+  Result<void> run();
+
+  /// The results of all parts, for the completed points.
+  Result<SweepResults> results();
+
+ private:
+  Result<std::string> name_of(const ReproductionPart& part);
+  /// Nothing if a study is missing.
+  Result<std::optional<std::vector<PartResults>>> found_at(const SweepPoint& point);
+  Result<std::vector<std::size_t>> missing_points();
+  Result<void> run_point(const SweepPoint& point, SweepProgress& progress);
+  Result<void> run_study_at(const SweepPoint& point, const ReproductionPart& part,
+                            const SweepProgress& progress);
+  Error at_point(Error error, const SweepPoint& point) const;
+
+  SweepRequest& request_;
+  PartRecordings recordings_;
+  PartRunner runner_;
+  KeptStudies kept_;
+};
+
+}  // namespace somato::program

@@ -1,0 +1,103 @@
+#include "som/map_and_rows.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "maps/som/fill_from_winner.h"
+#include "maps/som/sample_range.h"
+#include "som/data.h"
+#include "som/stoppable_rows.h"
+#include "terminal/terminal.h"
+
+namespace somato::program {
+namespace {
+
+Result<void> check_fills(const SomModel& model, MissingFill missing, const std::string& path) {
+  if (missing == MissingFill::kNearest) {
+    Result<void> takes = check_takes_incomplete(model.som);
+    if (!takes) takes.error().where = path;
+    return takes;
+  }
+  if (missing == MissingFill::kRefuse || !model.fill_values().empty()) return {};
+  return fail(ErrorKind::kUsage, "the map does not contain the means of its training data", path,
+              "pass --missing nearest, or train with --missing mean or --standardize");
+}
+
+Samples as_the_map_takes(const SomModel& model, const RowData& rows, const Samples& part) {
+  if (!rows.holds_missing) return model.prepare(part);
+  return rows.missing == MissingFill::kMean ? model.prepare(filled_with(model.fill_values(), part))
+                                            : filled_from_winners(model.som, model.prepare(part));
+}
+
+Result<SomModel> read_map(const Arguments& arguments) {
+  const std::string path = arguments.text("MAP");
+  SOMATO_TRY(auto model, load_som_model(path));
+  SOMATO_TRY(const auto missing, read_missing(arguments));
+  SOMATO_TRY_VOID(check_fills(model, missing, path));
+  return model;
+}
+
+}  // namespace
+
+Result<MapAndRows> read_map_and_rows(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(auto model, agreed(read_map(arguments), processes));
+  SOMATO_TRY(auto rows, read_rows(arguments, model.features, processes));
+  if (rows.size() != model.som.input_size()) {
+    Error error{ErrorKind::kData,
+                fmt::format("the data have {} columns, but the map requires {}", rows.size(),
+                            model.som.input_size()),
+                rows.path,
+                "use data with the columns that the map was trained on, or select them with "
+                "--columns-to-use or --skip"};
+    SOMATO_TRY_VOID(agreed<void>(fail(std::move(error)), processes));
+  }
+  return MapAndRows{std::move(model), std::move(rows)};
+}
+
+Result<SamplePart> SamplesInRange::next() {
+  auto part = source_.next();
+  if (!part || !*part) return part;
+  for (std::size_t i = 0; i < (*part)->count(); ++i) {
+    if (is_in_range((**part)[i])) continue;
+    return fail(
+        ErrorKind::kData,
+        fmt::format(
+            "row {} has values too large for the map, which computes distances in single precision",
+            first_ + done_ + i + 1),
+        path_, "leave the row out, or mark missing numbers as missing");
+  }
+  done_ += (*part)->count();
+  return part;
+}
+
+PreparedRows::PreparedRows(const SomModel& model, const RowData& rows)
+    : prepared_(rows.samples(),
+                [&](const Samples& part) { return as_the_map_takes(model, rows, part); }),
+      in_range_(model.standardization || rows.holds_missing ? static_cast<SampleSource&>(prepared_)
+                                                            : rows.samples(),
+                rows.path, rows.first),
+      ahead_(in_range_) {}
+
+Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads,
+                                JoinedProcesses* processes) {
+  const Progress progress = rows.in_memory() ? Progress() : terminal_progress("measuring");
+  PreparedRows prepared(model, rows);
+  SomQualityMeasurement measurement(model.som, threads, processes != nullptr);
+  std::vector<std::size_t> winners;
+  std::size_t done = 0;
+  auto measured = for_each_part(prepared.samples(), [&](const Samples& part) -> Result<void> {
+    const std::vector<std::size_t> of_part = measurement.add(part);
+    if (rows.labelled()) winners.insert(winners.end(), of_part.begin(), of_part.end());
+    done += part.count();
+    if (progress && !progress(done, rows.own_count)) return reading_stopped();
+    return {};
+  });
+  SOMATO_TRY_VOID(agreed(std::move(measured), processes));
+  if (processes) measurement.combine(*processes);
+  SomQuality quality = measurement.quality();
+  quality.winners = std::move(winners);
+  return quality;
+}
+
+}  // namespace somato::program

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "flags/commands.h"
+#include "flags/result_output.h"
+#include "maps/grid/areas.h"
+#include "som/column_report.h"
+#include "som/data.h"
+#include "som/map_and_rows.h"
+#include "som/memory_flag.h"
+#include "som/processes.h"
+
+namespace somato::program {
+namespace {
+
+Result<double> accuracy(const MapAndRows& both) {
+  const SomModel& model = both.model;
+  const Classes& classes = both.rows.classes;
+  PreparedRows prepared(model, both.rows);
+  SomWorkspace workspace;
+  std::size_t row = 0;
+  double right = 0.0;
+  return for_each_part(prepared.samples(),
+                       [&](const Samples& part) -> Result<void> {
+                         for (std::size_t i = 0; i < part.count(); ++i) {
+                           const auto predicted =
+                               model.labels.classify(model.som, part[i], workspace);
+                           const std::string& name = classes.names[classes.of_sample[row++]];
+                           right += model.classes[predicted] == name ? 1.0 : 0.0;
+                         }
+                         return {};
+                       })
+      .map([&] { return right / static_cast<double>(row); });
+}
+
+Result<void> add_label_measures(const MapAndRows& both, const SomQuality& quality, Table& table) {
+  if (!both.rows.labelled()) return {};
+  const std::vector<std::size_t>& classes = both.rows.classes.of_sample;
+  const WinnerAreas areas(both.model.som.grid(), quality.winners);
+  table.entries.push_back(entry("individuals_apart", individuals_apart(quality.winners, classes)));
+  table.entries.push_back(entry("areas_connected", areas.connected(classes)));
+  if (both.model.classes.empty()) return {};
+  return accuracy(both).map(
+      [&](double share) { table.entries.push_back(entry("accuracy", share)); });
+}
+
+Result<void> measure(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(const auto threads, agreed(threads_of(arguments, processes), processes));
+  SOMATO_TRY(const auto both, read_map_and_rows(arguments, processes));
+  SOMATO_TRY(const auto quality, measure_rows(both.model, both.rows, threads, processes));
+  if (processes && !processes->is_first()) return {};
+  const auto hit = std::count_if(quality.hits.begin(), quality.hits.end(),
+                                 [](std::size_t hits) { return hits > 0; });
+  Table table{{},
+              {entry("samples", both.rows.count), entry("neurons", both.model.som.neurons()),
+               entry("neurons_hit", static_cast<std::uint64_t>(hit)),
+               entry("quantization_error", quality.quantization_error),
+               entry("topographic_error", quality.topographic_error)}};
+  SOMATO_TRY_VOID(add_label_measures(both, quality, table));
+  print_result(arguments, lines_of(table), table);
+  note_columns_and_filled(both.rows);
+  return {};
+}
+
+Result<void> quality(const Arguments& arguments) {
+  SOMATO_TRY(const auto processes, Processes::join());
+  return processes.leave(measure(arguments, processes.group()));
+}
+
+}  // namespace
+
+Command som_quality_command() {
+  std::vector<Flag> flags = data_flags();
+  flags.push_back(threads_flag());
+  flags.push_back(memory_flag());
+  flags.push_back(json_flag());
+  return {"som quality",
+          "Measure the quality of a map for data",
+          {{"MAP", "A trained map", true}, data_positional("NPY file or text, as for training")},
+          std::move(flags),
+          {},
+          quality};
+}
+
+}  // namespace somato::program

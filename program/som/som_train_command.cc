@@ -1,0 +1,202 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "flags/commands.h"
+#include "som/column_report.h"
+#include "som/data.h"
+#include "som/map_and_rows.h"
+#include "som/memory_flag.h"
+#include "som/processes.h"
+#include "somato/maps/som_training.h"
+#include "terminal/terminal.h"
+#include "terminal/wording.h"
+
+namespace somato::program {
+namespace {
+
+// Means are those of the known values; the nearest row is determined in the units of the map,
+// which are standard deviations for standardized columns.
+Result<void> fill_missing(const Arguments& arguments, RowData& rows, std::vector<double>& means) {
+  if (rows.missing == MissingFill::kRefuse) return {};
+  auto known = rows.known.means(rows.features);
+  if (!known) {
+    known.error().where = rows.path;
+    return fail(std::move(known.error()));
+  }
+  const bool scaled = rows.missing == MissingFill::kNearest && arguments.has("standardize");
+  std::vector<double> scale;
+  if (scaled && rows.in_memory()) scale = known_deviations(*rows.in_memory(), *known);
+  if (rows.missing == MissingFill::kMean) means = *known;
+  return rows.fill(*known, scale);
+}
+
+Result<void> check_rows(const Arguments& arguments, const RowData& rows) {
+  if (rows.count < 2) {
+    return fail(ErrorKind::kData, "the data have only one sample", rows.path,
+                "a map needs at least two rows for training");
+  }
+  if (arguments.has("keep-constant-columns")) return {};
+  return refuse_constant_columns(rows, rows.path);
+}
+
+// A model without its map.
+Result<SomModel> start_model(const Arguments& arguments, const RowData& rows,
+                             std::vector<double> means) {
+  SomModel model;
+  model.features = rows.features;
+  model.means = std::move(means);
+  if (!arguments.has("standardize")) return model;
+  return Standardization::fit(rows.samples(), {ConstantColumns::kZero}, rows.features)
+      .map([&](Standardization&& fitted) {
+        model.standardization = std::move(fitted);
+        return std::move(model);
+      });
+}
+
+void add_labels(SomModel& model, const Classes& classes, const std::vector<std::size_t>& winners) {
+  if (classes.of_sample.empty()) return;
+  model.labels = NeuronLabels::by_majority(winners, classes.of_sample, model.som.neurons());
+  model.classes = classes.names;
+}
+
+Result<SomParameters> read_som_parameters(const Arguments& arguments) {
+  auto parameters = read_flags<SomParameters>(arguments);
+  if (!parameters) return parameters;
+  for (const std::string& name : SomParameters::declarations().names()) {
+    const std::string reason = reason_without_effect(*parameters, name);
+    if (reason.empty() || !arguments.has(flag_of(name).substr(2))) continue;
+    return fail(without_effect(name, reason, flag_of(name)));
+  }
+  return parameters;
+}
+
+Result<void> check_training(const SomParameters& parameters, const RowData& rows) {
+  if (rows.in_memory() || parameters.training == Training::kBatch) return {};
+  return fail(
+      ErrorKind::kSystem,
+      fmt::format("online training needs all rows in memory, and {} x {} numbers exceed the "
+                  "memory for rows",
+                  rows.count, rows.size()),
+      rows.path, "use --training batch, or a larger --memory");
+}
+
+// The part of the command line that does not depend on the rows.
+struct TrainingRequest {
+  SomParameters parameters;
+  TrainingOptions options;
+};
+
+Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(const auto parameters, read_som_parameters(arguments));
+  SOMATO_TRY(const auto threads, threads_of(arguments, processes));
+  const bool is_batch = parameters.training == Training::kBatch;
+  if (!is_batch && arguments.has("checkpoint")) {
+    return fail(without_effect("checkpoint", "training is online", "--checkpoint"));
+  }
+  if (processes && !is_batch) {
+    return fail(ErrorKind::kUsage, "several processes cannot share online training", "--training",
+                "use --training batch, or start one process");
+  }
+  if (processes && arguments.has("standardize")) {
+    return fail(ErrorKind::kUsage, "several processes cannot share the work of this flag",
+                "--standardize", "standardize the rows before, or start one process");
+  }
+  TrainingRequest request{parameters, {threads, terminal_progress("training")}};
+  request.options.checkpoint = arguments.text("checkpoint");
+  request.options.processes = processes;
+  return request;
+}
+
+Result<Som> train_map(const TrainingRequest& request, const SomModel& model, const RowData& rows) {
+  const TrainingOptions& options = request.options;
+  if (!rows.in_memory()) {
+    PreparedRows prepared(model, rows);
+    return train_som(request.parameters, prepared.samples(), options);
+  }
+  const Samples prepared = model.prepare(*rows.in_memory());
+  if (options.checkpoint.empty() && !options.processes) {
+    return train_som(request.parameters, prepared, options);
+  }
+  SamplesInMemory source(prepared);
+  return train_som(request.parameters, source, options);
+}
+
+Result<void> save_trained(const Arguments& arguments, const SomModel& model,
+                          const TrainingOptions& options) {
+  if (options.processes && !options.processes->is_first()) return {};
+  SOMATO_TRY_VOID(save_som_model(arguments.text("output"), model));
+  std::error_code gone;
+  if (!options.checkpoint.empty()) std::filesystem::remove(options.checkpoint, gone);
+  return {};
+}
+
+void print_trained(const std::string& path, const Som& som, const RowData& rows,
+                   const SomQuality& quality) {
+  const std::string size = fmt::format(
+      "{}: {} x {} neurons trained on {} of {}\n", path, som.grid().rows(), som.grid().columns(),
+      counted(rows.count, "sample"), counted(rows.size(), "feature"));
+  const std::string errors = fmt::format("quantization_error {:.6g}\ntopographic_error {:.6g}\n",
+                                         quality.quantization_error, quality.topographic_error);
+  print_summary(size + columns_and_filled(rows) + errors);
+}
+
+// A model without its map, ready to train it on the rows.
+Result<SomModel> start_on(const Arguments& arguments, const SomParameters& parameters,
+                          RowData& rows) {
+  SOMATO_TRY_VOID(check_rows(arguments, rows));
+  SOMATO_TRY_VOID(check_training(parameters, rows));
+  std::vector<double> means;
+  SOMATO_TRY_VOID(fill_missing(arguments, rows, means));
+  return start_model(arguments, rows, std::move(means));
+}
+
+Result<void> train_with(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(const auto request, agreed(read_request(arguments, processes), processes));
+  SOMATO_TRY(auto rows, read_rows(arguments, {}, processes));
+  SOMATO_TRY(auto model, agreed(start_on(arguments, request.parameters, rows), processes));
+  SOMATO_TRY(auto som, train_map(request, model, rows));
+  model.som = std::move(som);
+  SOMATO_TRY(const auto quality, measure_rows(model, rows, request.options.threads, processes));
+  add_labels(model, rows.classes, quality.winners);
+  SOMATO_TRY_VOID(agreed(save_trained(arguments, model, request.options), processes));
+  print_trained(arguments.text("output"), model.som, rows, quality);
+  return {};
+}
+
+Result<void> train(const Arguments& arguments) {
+  SOMATO_TRY(const auto processes, Processes::join());
+  return processes.leave(train_with(arguments, processes.group()));
+}
+
+}  // namespace
+
+Command som_train_command() {
+  std::vector<Flag> flags = data_flags();
+  flags.push_back(output_flag("-o,--output", "File for the trained map", true));
+  flags.push_back({"--standardize",
+                   "Scale each column to mean 0 and standard deviation 1; saved with the map",
+                   false, false});
+  flags.push_back({"--keep-constant-columns",
+                   "Accept columns that have the same value in every row", false, false});
+  flags.push_back(output_flag("--checkpoint",
+                              "File for the map after each epoch of batch training, from which the "
+                              "same command continues after an interruption"));
+  flags.push_back(threads_flag());
+  flags.push_back(memory_flag());
+  return {
+      "som train",
+      "Train a map on a table of numbers",
+      {data_positional(
+          "NPY, NPZ or MAT file, or text with one sample per line and numbers separated by commas, "
+          "semicolons, tabs or blanks")},
+      std::move(flags),
+      SomParameters::declarations().infos(),
+      train,
+      "map"};
+}
+
+}  // namespace somato::program

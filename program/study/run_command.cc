@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "base/files/toml_file.h"
+#include "base/files/whole_file.h"
+#include "explore/explore_table.h"
+#include "flags/commands.h"
+#include "flags/output_folder.h"
+#include "flags/result_output.h"
+#include "recordings/study_data.h"
+#include "reproduce/part.h"
+#include "reproduce/part_recordings.h"
+#include "som/data.h"
+#include "somato/recording/format.h"
+#include "somato/recording/layout.h"
+#include "somato/studies/own_systems.h"
+#include "somato/studies/reproduction.h"
+#include "somato/studies/study.h"
+#include "studies/reproduction/reproduction_run.h"
+#include "studies/results/saved_model.h"
+#include "studies/run/winners_picture.h"
+#include "study/explanation.h"
+#include "study/study_table.h"
+#include "terminal/terminal.h"
+
+namespace somato::program {
+namespace {
+
+// Variations and explorations are only used by 'reproduce', but are always validated.
+Result<void> read_file(const NamedFile& file, ReproductionPlan& plan) {
+  if (file.content.find("question")) {
+    return fail(ErrorKind::kUsage, "the file contains a question about several systems", file.name,
+                "answer it with 'somato reproduce'");
+  }
+  SOMATO_TRY_VOID(add_to_plan(file, {}, plan));
+  for (const ReproductionPart& part : plan.parts) {
+    if (part.explore.entries.empty()) continue;
+    SOMATO_TRY_VOID(read_explore_table(part.explore));
+  }
+  return {};
+}
+
+// The study of the file, which comes first, and its variations.
+Result<ReproductionPlan> read_study_plan(const Arguments& arguments) {
+  SOMATO_TRY(auto seeds, arguments.number("seeds", 1));
+  SOMATO_TRY(const auto file, read_file_or_own(arguments.text("STUDY")));
+  ReproductionPlan plan;
+  SOMATO_TRY_VOID(read_file(file, plan));
+  if (seeds) plan.parts.front().description.study.seeds = *seeds;
+  return plan;
+}
+
+// Whether a system can be built is only known with a recording.
+Result<void> check_variations(const ReproductionPlan& plan, PartRecordings& recordings) {
+  SOMATO_TRY(const auto recording, recordings.get(plan.parts.front(), 0));
+  for (std::size_t i = 1; i < plan.parts.size(); ++i) {
+    SOMATO_TRY_VOID(
+        System::build(plan.parts[i].description.system, layout_of(recording->recording)));
+  }
+  return {};
+}
+
+PartEvents events_in(const OutputFolder& folder, const std::string& name, const Part& part) {
+  return {[name](std::size_t, std::size_t) { return terminal_progress(name); },
+          [&folder, &part](std::size_t) { return part.is_whole() ? folder.journal() : ""; },
+          [&](std::size_t, const StudyDescription& description, const StudyOutcome& outcome,
+              PartResults& results) {
+            return save_whole(folder.map(), winners_picture(description, outcome)).and_then([&] {
+              return save_model(folder.path(), OutputFolder::kSystem, outcome.model, results);
+            });
+          },
+          parts_folder(folder.path()).string()};
+}
+
+// Without data, channels are as declared by their modules.
+Result<void> explain(const Arguments& arguments, const StudyDescription& description) {
+  RecordingLayout layout;
+  if (arguments.has("data")) {
+    SOMATO_TRY(auto recording,
+               read_study_data(description.recording.format, arguments.text("data")));
+    layout = layout_of(recording);
+  }
+  SOMATO_TRY(const auto system, System::build(description.system, std::move(layout)));
+  print_result(arguments, explanation(system), explanation_table(system));
+  return {};
+}
+
+Result<void> check_needed(const Arguments& arguments) {
+  for (const std::string needed : {"data", "out"}) {
+    if (arguments.has(needed)) continue;
+    return fail(ErrorKind::kUsage, "--" + needed + " is required", "run", "see: somato run --help");
+  }
+  return {};
+}
+
+// One recording, with the seeds of the study.
+Result<PairsRequest> read_pairs(const Arguments& arguments, const StudyDescription& description,
+                                std::size_t threads) {
+  const RecordingFormat format = description.recording.format;
+  PairsRequest request{{description.study.seeds, description.study.first_seed, threads}, 1, {}};
+  request.given = GivenRecordings::one(arguments.text("data"), format);
+  if (!arguments.has("test-data")) return request;
+  SOMATO_TRY(auto test, read_given(format, arguments.text("test-data")));
+  request.test_data = std::make_shared<const PairedRecording>(std::move(test));
+  return request;
+}
+
+// The results are written last, so that all files that they name exist.
+Result<void> save_study(const Arguments& arguments, const OutputFolder& folder, const Part& part,
+                        const Results& results) {
+  const std::string json = to_json(results);
+  SOMATO_TRY_VOID(save_whole(folder.results(), json));
+  std::error_code gone;
+  if (part.is_whole()) std::filesystem::remove(folder.journal(), gone);
+  const std::string written =
+      fmt::format("\nWritten: {}, {}, {}\n", folder.results(), folder.map(), folder.system());
+  const ShownMetrics shown =
+      arguments.has("all-metrics") ? ShownMetrics::kAll : ShownMetrics::kMain;
+  print_summary(arguments, part_text(part) + study_table(results.parts.front(), shown) + written,
+                json);
+  return {};
+}
+
+// Runs the study without its variations, or a part of it; the part that completes it writes the
+// results.
+Result<void> run_in(const Arguments& arguments, const ReproductionPlan& plan, PartRunner& runner,
+                    const OutputFolder& folder, const Part& part) {
+  const ReproductionPlan study{{plan.parts.front()}, plan.claims};
+  const auto events = [&](std::size_t) {
+    return events_in(folder, study.parts.front().system, part);
+  };
+  if (!part.is_whole()) {
+    SOMATO_TRY(const auto progress, run_part_of_reproduction(study, runner, part, events));
+    if (!progress.complete()) {
+      print_part(arguments, part, {progress.done, progress.trainings}, "training", "results.json");
+      return {};
+    }
+  }
+  SOMATO_TRY(const auto results, run_reproduction(study, runner, false, events));
+  return save_study(arguments, folder, part, results);
+}
+
+Result<void> run_whole(const Arguments& arguments, const ReproductionPlan& plan,
+                       std::size_t threads) {
+  SOMATO_TRY(const auto part, read_part(arguments));
+  SOMATO_TRY(auto pairs, read_pairs(arguments, plan.parts.front().description, threads));
+  PartRecordings recordings(pairs, {});
+  SOMATO_TRY_VOID(check_variations(plan, recordings));
+  OutputFolder folder(arguments.text("out"), "--out");
+  SOMATO_TRY_VOID(folder.make());
+  SOMATO_TRY([[maybe_unused]] const auto lock, lock_work(folder.path(), part));
+  PartRunner runner(pairs, recordings);
+  auto ran = run_in(arguments, plan, runner, folder, part);
+  if (ran) return {};
+  return fail(how_to_go_on(with_place(std::move(ran.error()), arguments.text("data"))));
+}
+
+Result<void> run_study_command(const Arguments& arguments) {
+  const bool explains = arguments.has("explain");
+  auto needed = explains ? Result<void>() : check_needed(arguments);
+  if (!needed) return needed;
+  SOMATO_TRY(auto threads, read_threads(arguments));
+  SOMATO_TRY(const auto plan, read_study_plan(arguments));
+  return explains ? explain(arguments, plan.parts.front().description)
+                  : run_whole(arguments, plan, threads);
+}
+
+}  // namespace
+
+Command run_command() {
+  return {
+      "run",
+      "Run a study: train a system on a recording and test it",
+      {{"STUDY",
+        "TOML file that describes the study and its system, or one that 'somato systems' lists",
+        true, false, Role::kInput, own_file_names}},
+      {input_flag("--data",
+                  "The recording: its file, or a folder of original files; required, as is --out, "
+                  "unless --explain is given"),
+       input_flag("--test-data",
+                  "Separate recording to test on; the system is then trained on all of --data"),
+       folder_flag("-o,--out", "Folder for results.json, map.svg and system.somato",
+                   OutputFolder::names()),
+       part_flag("training"),
+       {"--seeds", "Number of seeds, instead of the study's"},
+       {"--all-metrics", "Print every metric, not only the main ones", false, false},
+       {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
+       threads_flag(),
+       json_flag()},
+      {},
+      run_study_command};
+}
+
+}  // namespace somato::program

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Reports rooms that are too large or too small, wings with too many rooms, and folders that src/rooms.json
+does not name; notes small units with one user.
+
+usage: check_rooms.py [TREE]
+"""
+
+import re
+import sys
+from pathlib import Path
+
+import rooms
+
+MOST_FILES = 26
+FEWEST_FILES = 4
+MOST_ROOMS = 10
+SMALL_UNIT = 40  # lines of a header and its source
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+ADVICE = "move a wall (docs/decisions/0037-wings.md)"
+
+# Folders of files that are not rooms, each with its reason.
+ROOMS_OF_TESTS = {
+    "house": "tests of the checks", "install": "users of the installed package", "mcap": "another implementation",
+    "peers": "the makers' own libraries", "python": "the Python package", "same_bits": "bits of every build",
+    "web": "tests of the pages, which are in web/tests",
+}
+OTHER_TESTS = {"support", "hostile"}  # beside the rooms of a wing
+
+
+def files_in(folder):
+    return [path for path in folder.iterdir() if path.is_file()]
+
+
+def folder_of(tree, wing, room=""):
+    return tree / ("program" if wing == "program" else f"src/{wing}") / room
+
+
+def check_sizes(tree, table):
+    for wing, entry in table.wings.items():
+        if len(entry["rooms"]) > MOST_ROOMS:
+            yield f"{wing}: {len(entry['rooms'])} rooms; at most {MOST_ROOMS}: {ADVICE}"
+        for room, about in entry["rooms"].items():
+            folder = folder_of(tree, wing, room)
+            count = len(files_in(folder)) if folder.is_dir() else 0
+            if count > MOST_FILES:
+                yield f"{wing}/{room}: {count} files; at most {MOST_FILES}: {ADVICE}"
+            if count < FEWEST_FILES and "small" not in about:
+                yield f"{wing}/{room}: {count} files; at least {FEWEST_FILES}: join it with its neighbour"
+
+
+def check_folders(tree, table):
+    """Folders without a row in the table, and rows without a name."""
+    for wing, entry in table.wings.items():
+        folder = folder_of(tree, wing)
+        found = {path.name for path in folder.iterdir() if path.is_dir()} if folder.is_dir() else set()
+        yield from (f"{wing}/{name}: not a room of src/rooms.json" for name in sorted(found - set(entry["rooms"])))
+        yield from (f"{wing}/{room}: src/rooms.json does not say what it holds"
+                    for room, about in entry["rooms"].items() if not about.get("holds"))
+    known = {*table.wings} - {"program"}
+    yield from (f"src/{path.name}: not a wing of src/rooms.json" for path in sorted((tree / "src").iterdir())
+                if path.is_dir() and path.name not in known)
+
+
+def check_tests(tree, table):
+    for wing in sorted(path for path in (tree / "tests").iterdir() if path.is_dir()):
+        if wing.name in ROOMS_OF_TESTS:
+            continue
+        if wing.name not in table.wings:
+            yield f"tests/{wing.name}: not a wing of src/rooms.json"
+            continue
+        for folder in (path for path in wing.iterdir() if path.is_dir() and path.name != "__pycache__"):
+            if folder.name not in {*table.rooms(wing.name), *OTHER_TESTS}:
+                yield f"tests/{wing.name}/{folder.name}: not a room of src/rooms.json"
+            if (count := len(files_in(folder))) > MOST_FILES:
+                yield f"tests/{wing.name}/{folder.name}: {count} files; at most {MOST_FILES}: {ADVICE}"
+
+
+def small_units(tree):
+    """Units below SMALL_UNIT lines whose header one other file includes."""
+    users, lengths = {}, {}
+    for path in [*(tree / "src").rglob("*.h"), *(tree / "src").rglob("*.cc")]:
+        text = path.read_text(encoding="utf-8")
+        name = path.relative_to(tree / "src").with_suffix("").as_posix()
+        lengths[name] = lengths.get(name, 0) + text.count("\n")
+        for header in INCLUDE.findall(text):
+            if header.removesuffix(".h") != name:
+                users.setdefault(header, set()).add(name)
+    for name, length in sorted(lengths.items()):
+        if length < SMALL_UNIT and len(of_unit := users.get(f"{name}.h", set())) == 1:
+            yield f"note: src/{name} has {length} lines and one user, src/{of_unit.pop()}"
+
+
+def check(tree):
+    table = rooms.read(tree)
+    problems = [*check_sizes(tree, table), *check_folders(tree, table), *check_tests(tree, table)]
+    shown = (tree / "ARCHITECTURE.md").read_text(encoding="utf-8")
+    if rooms.markdown(table) not in shown:
+        problems.append("ARCHITECTURE.md: its tables are not those of src/rooms.json; run scripts/check_rooms.py --fix")
+    return problems
+
+
+def fix(tree):
+    page = tree / "ARCHITECTURE.md"
+    text = page.read_text(encoding="utf-8")
+    tables = re.compile(r"^\| wing \|.*?\n\n\| room \|.*?(?=\n\n)", re.MULTILINE | re.DOTALL)
+    page.write_text(tables.sub(lambda _: rooms.markdown(rooms.read(tree)), text, count=1), encoding="utf-8")
+
+
+def main():
+    trees = [Path(word) for word in sys.argv[1:] if word != "--fix"]
+    tree = trees[0] if trees else rooms.TREE
+    if "--fix" in sys.argv[1:]:
+        fix(tree)
+    for note in small_units(tree):
+        print(note)
+    problems = check(tree)
+    print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,8 @@
+#define SOMATO_KERNELS portable
+#include "base/kernels/kernels.h"
+
+#include "base/kernels/batch_kernels_body.h"
+#include "base/kernels/kernels_body.h"
+#include "base/kernels/online_kernels_body.h"
+#include "base/kernels/product_kernels_body.h"
+#include "base/kernels/t_mpsom_kernels_body.h"

@@ -1,0 +1,233 @@
+#include "base/tables/csv_table_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <utility>
+
+#include "base/tables/csv_number.h"
+#include "base/text/text.h"
+#include "somato/core/check.h"
+#include "somato/core/value.h"
+
+namespace somato {
+namespace {
+
+std::optional<std::size_t> number_from_one(const std::string& text) {
+  std::size_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc() && stop == text.data() + text.size() && number > 0;
+  return whole ? std::optional(number - 1) : std::nullopt;
+}
+
+bool has_point(const CsvField& field) {
+  return field.text.find('.') != std::string::npos;
+}
+
+// Single precision is sufficient for numbers with few digits.
+double exact_number(std::string_view field, float rounded) {
+  constexpr std::size_t kFewDigits = 7;
+  return field.size() <= kFewDigits ? double{rounded} : read_csv_number<double>(field).number;
+}
+
+}  // namespace
+
+Result<void> CsvTableReader::begin() {
+  require(options_.decimal == '.' || options_.decimal == ',',
+          "the decimal separator is a point or a comma");
+  const std::string_view candidates = options_.decimal == ',' ? "\t; ," : "\t;, ";
+  separator_ = options_.separator ? *options_.separator : records_.guess_separator(candidates);
+  return next()
+      .and_then([&] { return check_separator(); })
+      .and_then([&] { return read_first_record(); })
+      .and_then([&]() -> Result<void> { return fields_.empty() ? no_rows() : Result<void>(); });
+}
+
+// A single column needs no separator.
+Result<void> CsvTableReader::check_separator() {
+  if (options_.decimal != ',' || separator_ != ',') return {};
+  if (fields_.size() > 1) {
+    return fail(ErrorKind::kUsage,
+                "commas separate the fields, so they cannot be decimal separators",
+                fmt::format("{}:{}", where_, fields_[0].line),
+                "separate the fields by semicolons or tabs, or omit --decimal comma");
+  }
+  separator_ = ';';
+  return {};
+}
+
+Result<void> CsvTableReader::skip_to(std::size_t begin) {
+  while (!fields_.empty() && start().place < begin) {
+    SOMATO_TRY_VOID(next());
+    is_first_row_ = false;
+  }
+  return {};
+}
+
+Result<void> CsvTableReader::continue_with(CsvRecords records) {
+  records_ = std::move(records);
+  precision_ = {};
+  return next();
+}
+
+Result<NumberTable> CsvTableReader::rows(std::size_t most) {
+  std::vector<float> values;
+  NumberTable table;
+  std::size_t count = 0;
+  for (; count < most && has_row(); ++count) {
+    Result<void> read = read_row(values, table.labels).and_then([&] { return next(); });
+    if (!read) return fail(std::move(read.error()));
+  }
+  table.values = Matrix<float>(count, columns_.features.size(), std::move(values));
+  if (has_row()) return table;
+  return precision_.check(columns_.names, where_).map([&] { return std::move(table); });
+}
+
+bool CsvTableReader::seems_header() const {
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    if (is_label(i) || leaves_out_number(options_.columns, i)) continue;
+    const std::string& text = fields_[i].text;
+    if (fields_[i].quoted || (is_csv_text(text) && !has_decimal_comma(text))) return true;
+  }
+  return false;
+}
+
+// A name counts only in a header; a number may point at a label column before it is known
+// whether there is one.
+Result<void> CsvTableReader::find_label_column() {
+  const std::string& wanted = options_.label_column;
+  if (wanted.empty()) return {};
+  std::vector<std::string> names;
+  names.reserve(fields_.size());
+  for (const CsvField& field : fields_) names.push_back(field.text);
+  const auto named = std::find(names.begin(), names.end(), wanted);
+  const std::optional<std::size_t> number = number_from_one(wanted);
+  const bool is_number = number && *number < columns_.width;
+  if (named != names.end() && options_.header.value_or(true) && !is_number) {
+    if (std::count(named, names.end(), wanted) > 1) {
+      return fail(ErrorKind::kUsage, fmt::format("two columns are named {}", shown(wanted)), where_,
+                  "rename one of them, or use the number of the column");
+    }
+    columns_.label = static_cast<std::size_t>(named - names.begin());
+    named_label_ = true;
+  } else if (is_number) {
+    columns_.label = number;
+  } else {
+    return fail(
+        ErrorKind::kUsage, fmt::format("there is no column {}", shown(wanted)), where_,
+        number ? fmt::format("there are {} columns", columns_.width) : name_advice(wanted, names));
+  }
+  return {};
+}
+
+Result<void> CsvTableReader::choose() {
+  return choose_columns(options_.columns, std::move(columns_), where_)
+      .map([&](TableColumns&& chosen) { columns_ = std::move(chosen); });
+}
+
+Result<void> CsvTableReader::read_first_record() {
+  columns_.width = fields_.size();
+  if (fields_.empty()) return no_rows();
+  SOMATO_TRY_VOID(find_label_column());
+  const bool header = options_.header.value_or(named_label_ || seems_header());
+  if (!header) return choose();
+  for (const CsvField& field : fields_) columns_.names.push_back(field.text);
+  return choose().and_then([&] { return next(); });
+}
+
+Result<void> CsvTableReader::read_row(std::vector<float>& values,
+                                      std::vector<std::string>& labels) {
+  if (fields_.size() != columns_.width) {
+    return fail(ErrorKind::kData,
+                fmt::format("expected {} fields, found {}", columns_.width, fields_.size()),
+                fmt::format("{}:{}", where_, fields_[0].line),
+                "give every row the same number of fields");
+  }
+  const std::size_t start = values.size();
+  values.resize(start + columns_.features.size());
+  for (std::size_t i = 0; i < columns_.features.size(); ++i) {
+    Result<void> read = read_value(columns_.features[i], values[start + i]);
+    if (!read) return read;
+  }
+  is_first_row_ = false;
+  return columns_.label ? read_label(fields_[*columns_.label], labels) : Result<void>();
+}
+
+Result<void> CsvTableReader::read_label(const CsvField& field,
+                                        std::vector<std::string>& labels) const {
+  if (field.text.empty()) {
+    return fail(ErrorKind::kData, "the label is empty", records_.place(field),
+                "give every row a label");
+  }
+  labels.push_back(field.text);
+  return {};
+}
+
+// Valid until the next call.
+std::string_view CsvTableReader::with_point(const CsvField& field) {
+  if (options_.decimal == '.') return field.text;
+  number_text_ = field.text;
+  std::replace(number_text_.begin(), number_text_.end(), ',', '.');
+  return number_text_;
+}
+
+// With a decimal comma a point may mark thousands: it is not guessed at.
+CsvReading<float> CsvTableReader::reading_of(const CsvField& field) {
+  if (options_.decimal == ',' && has_point(field)) return {CsvMeaning::kText};
+  return read_csv_number<float>(with_point(field));
+}
+
+Result<void> CsvTableReader::read_value(std::size_t column, float& value) {
+  const CsvField& field = fields_[column];
+  const CsvReading<float> reading = reading_of(field);
+  if (reading.meaning == CsvMeaning::kMissing && options_.keeps_missing) {
+    value = std::numeric_limits<float>::quiet_NaN();
+    return {};
+  }
+  if (reading.meaning != CsvMeaning::kNumber) return fail(no_number(column, reading.meaning));
+  value = reading.number;
+  if (!trusts_precision_) precision_.take(column, exact_number(with_point(field), value), value);
+  return {};
+}
+
+Error CsvTableReader::no_number(std::size_t column, CsvMeaning meaning) {
+  const CsvField& field = fields_[column];
+  Error error = no_csv_number(field, meaning, records_.place(field), {}).value();
+  if (meaning == CsvMeaning::kText) error.advice = advice_for_text(field);
+  if (meaning == CsvMeaning::kMissing) {
+    error.advice = "leave the row out, fill in a number, or use --missing mean or nearest";
+  }
+  return error;
+}
+
+// Text in the first row is the type of a column, later it is an error.
+std::string CsvTableReader::advice_for_text(const CsvField& field) {
+  if (options_.decimal == ',' && has_point(field)) {
+    return "numbers are read with a decimal comma: write them without a point";
+  }
+  if (options_.decimal == '.' && has_decimal_comma(field.text)) {
+    return "write decimals with a point and thousands without a separator, or use --decimal comma "
+           "for decimal commas";
+  }
+  std::vector<std::string> columns;
+  for (const std::size_t i : columns_.features) {
+    if (!is_first_row_ || reading_of(fields_[i]).meaning != CsvMeaning::kText) continue;
+    columns.push_back(columns_.names.empty() ? std::to_string(i + 1) : columns_.names[i]);
+  }
+  if (columns_.names.empty() || columns.empty()) {
+    return "correct it, use the column for labels, or leave it out with --skip";
+  }
+  return fmt::format(
+      "{}: select the labels with --label-column, leave others out with --skip '{}'",
+      columns.size() == 1 ? "the column contains text" : "these columns contain text",
+      fmt::join(columns, ","));
+}
+
+Result<void> CsvTableReader::no_rows() const {
+  return fail(ErrorKind::kData, "there are no rows of numbers", where_,
+              "check that it is the right file");
+}
+
+}  // namespace somato

@@ -1,0 +1,246 @@
+#include "base/tables/table_columns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <utility>
+
+#include "base/core/values_at.h"
+#include "base/text/name_glob.h"
+#include "base/text/text.h"
+#include "somato/core/value.h"
+
+namespace somato {
+namespace {
+
+using Columns = std::vector<std::size_t>;
+
+tl::unexpected<Error> unusable_choice(std::string what, std::string_view where,
+                                      std::string advice) {
+  return fail(ErrorKind::kUsage, std::move(what), std::string(where), std::move(advice));
+}
+
+std::optional<std::size_t> whole_number(std::string_view text) {
+  std::size_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc() && stop == text.data() + text.size();
+  return whole ? std::optional(number) : std::nullopt;
+}
+
+// Numbers from 1, both included.
+struct NumberRange {
+  std::size_t first;
+  std::size_t last;
+
+  bool contains(std::size_t column) const { return first <= column + 1 && column + 1 <= last; }
+};
+
+std::optional<NumberRange> number_range(std::string_view item) {
+  constexpr std::string_view kDots = "..";
+  const std::size_t dots = item.find(kDots);
+  const auto first = whole_number(item.substr(0, dots));
+  const auto last =
+      dots == std::string_view::npos ? first : whole_number(item.substr(dots + kDots.size()));
+  if (!first || !last || *first == 0 || *last < *first) return std::nullopt;
+  return NumberRange{*first, *last};
+}
+
+// The columns selected by an item, and whether it names a single one.
+struct Named {
+  Columns columns;
+  bool exactly = true;
+};
+
+Result<Named> by_number(const std::string& item, std::size_t width, std::string_view where) {
+  const auto range = number_range(item);
+  const std::string advice =
+      fmt::format("its columns have no names: write numbers from 1 to {}, or 2..4", width);
+  if (!range || range->last > width) {
+    return unusable_choice(fmt::format("there is no column {}", shown(item)), where, advice);
+  }
+  Named named{Columns(range->last - range->first + 1), whole_number(item).has_value()};
+  std::iota(named.columns.begin(), named.columns.end(), range->first - 1);
+  return named;
+}
+
+Result<Named> by_name(const std::string& item, const std::vector<std::string>& names,
+                      std::string_view where) {
+  Named named;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == item) named.columns.push_back(i);
+  }
+  if (named.columns.size() == 1) return named;
+  if (named.columns.size() > 1) {
+    return unusable_choice(fmt::format("two columns are named {}", shown(item)), where,
+                           "rename one of them");
+  }
+  named.exactly = false;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (matches_glob(item, names[i])) named.columns.push_back(i);
+  }
+  if (!named.columns.empty()) return named;
+  const bool number = number_range(item).has_value();
+  return unusable_choice(
+      fmt::format("there is no column {}", shown(item)), where,
+      number ? "its columns have names: select them by name" : name_advice(item, names));
+}
+
+// Takes items one after the other into a choice of columns.
+class Chooser {
+ public:
+  Chooser(const TableColumns& table, std::string_view where)
+      : table_(table), where_(where), chosen_(table.width, false), named_(table.width, false) {}
+
+  void take_all() { chosen_.assign(chosen_.size(), true); }
+
+  Result<void> use(const std::string& item) {
+    return find(item).and_then([&](const Named& named) -> Result<void> {
+      for (const std::size_t column : named.columns) {
+        if (named.exactly && named_[column]) {
+          return unusable_choice(fmt::format("column {} is selected twice", shown(item)), where_,
+                                 "name it once");
+        }
+        if (named.exactly && column == table_.label) {
+          return unusable_choice(
+              fmt::format("column {} contains the labels and cannot be used as a feature",
+                          shown(item)),
+              where_, "remove it from --columns-to-use, or use another label column");
+        }
+        chosen_[column] = true;
+        if (named.exactly) named_[column] = true;
+      }
+      return {};
+    });
+  }
+
+  Result<void> skip(const std::string& item) {
+    return find(item).and_then([&](const Named& named) -> Result<void> {
+      for (const std::size_t column : named.columns) {
+        if (named_[column]) {
+          return unusable_choice(
+              fmt::format("column {} is both selected and skipped", name(column)), where_,
+              "name it in --columns-to-use or in --skip");
+        }
+        if (named.exactly && column == table_.label) {
+          return unusable_choice(
+              fmt::format("column {} contains the labels and cannot be skipped", shown(item)),
+              where_, "remove it from --skip; labels are not used for training");
+        }
+        chosen_[column] = false;
+      }
+      return {};
+    });
+  }
+
+  Columns chosen() const {
+    Columns columns;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      if (chosen_[i] && i != table_.label) columns.push_back(i);
+    }
+    return columns;
+  }
+
+ private:
+  std::string name(std::size_t column) const {
+    return table_.names.empty() ? std::to_string(column + 1) : shown(table_.names[column]);
+  }
+
+  Result<Named> find(const std::string& item) const {
+    return table_.names.empty() ? by_number(item, table_.width, where_)
+                                : by_name(item, table_.names, where_);
+  }
+
+  const TableColumns& table_;
+  std::string_view where_;
+  std::vector<bool> chosen_;
+  std::vector<bool> named_;  // by an item that names a single column to be used
+};
+
+tl::unexpected<Error> missing_feature(const std::string& name, const TableColumns& table,
+                                      std::string_view where) {
+  const bool there = std::count(table.names.begin(), table.names.end(), name) > 0;
+  return fail(ErrorKind::kData,
+              fmt::format("column {} is required, but {}", shown(name),
+                          there ? "is left out or contains the labels" : "is missing"),
+              std::string(where), there ? "select it too" : name_advice(name, table.names));
+}
+
+// The columns of the features among those that are left.
+Result<Columns> pick(const std::vector<std::string>& features, const TableColumns& table,
+                     std::string_view where) {
+  if (table.feature_names() == features) return table.features;
+  Columns picked;
+  for (const std::string& name : features) {
+    Columns fitting;
+    for (const std::size_t column : table.features) {
+      if (table.names[column] == name) fitting.push_back(column);
+    }
+    if (fitting.empty()) return missing_feature(name, table, where);
+    if (fitting.size() > 1) {
+      return fail(ErrorKind::kData, fmt::format("two columns are named {}", shown(name)),
+                  std::string(where), "rename or skip one of them");
+    }
+    picked.push_back(fitting[0]);
+  }
+  return picked;
+}
+
+}  // namespace
+
+std::vector<std::string> TableColumns::feature_names() const {
+  if (names.empty()) return {};
+  return values_at(names, features);
+}
+
+std::vector<std::size_t> TableColumns::left_out() const {
+  std::vector<bool> taken(width, false);
+  for (const std::size_t column : features) taken[column] = true;
+  if (label) taken[*label] = true;
+  Columns left;
+  for (std::size_t i = 0; i < width; ++i) {
+    if (!taken[i]) left.push_back(i);
+  }
+  return left;
+}
+
+Result<TableColumns> choose_columns(const ColumnChoice& choice, TableColumns table,
+                                    std::string_view where) {
+  Chooser chooser(table, where);
+  if (choice.use.empty()) chooser.take_all();
+  for (const std::string& item : choice.use) {
+    SOMATO_TRY_VOID(chooser.use(item));
+  }
+  for (const std::string& item : choice.skip) {
+    SOMATO_TRY_VOID(chooser.skip(item));
+  }
+  table.features = chooser.chosen();
+  if (table.features.empty()) {
+    const bool chosen = !choice.use.empty() || !choice.skip.empty();
+    return fail(
+        chosen ? ErrorKind::kUsage : ErrorKind::kData, "no numeric column is left",
+        std::string(where),
+        chosen ? "use more columns, or skip fewer" : "check the separator and the label column");
+  }
+  if (choice.features.empty() || table.names.empty()) return table;
+  return pick(choice.features, table, where).map([&](Columns&& picked) {
+    table.features = std::move(picked);
+    return std::move(table);
+  });
+}
+
+bool leaves_out_number(const ColumnChoice& choice, std::size_t column) {
+  const auto contained = [&](const std::vector<std::string>& items) {
+    return std::any_of(items.begin(), items.end(), [&](const std::string& item) {
+      const auto range = number_range(item);
+      return range && range->contains(column);
+    });
+  };
+  const bool numbers =
+      std::all_of(choice.use.begin(), choice.use.end(),
+                  [](const std::string& item) { return number_range(item).has_value(); });
+  return contained(choice.skip) || (!choice.use.empty() && numbers && !contained(choice.use));
+}
+
+}  // namespace somato

@@ -1,0 +1,109 @@
+#include "base/text/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace somato {
+namespace {
+
+std::uint32_t byte_at(std::string_view text, std::size_t i) {
+  return static_cast<unsigned char>(text[i]);
+}
+
+// The length that a character's first byte announces, 0 if it cannot be a first byte.
+std::size_t announced_length(std::uint32_t first) {
+  if (first < 0x80) return 1;
+  if (first >= 0xC2 && first < 0xE0) return 2;
+  if (first >= 0xE0 && first < 0xF0) return 3;
+  if (first >= 0xF0 && first < 0xF5) return 4;
+  return 0;
+}
+
+// The length of the character at `i`, 0 if there is none.
+std::size_t character_length(std::string_view text, std::size_t i) {
+  const std::uint32_t first = byte_at(text, i);
+  const std::size_t length = announced_length(first);
+  if (length <= 1) return length;
+  if (length > text.size() - i) return 0;
+  std::uint32_t code = first & (0x7Fu >> length);
+  for (std::size_t k = 1; k < length; ++k) {
+    const std::uint32_t next = byte_at(text, i + k);
+    if ((next & 0xC0) != 0x80) return 0;
+    code = (code << 6) | (next & 0x3F);
+  }
+  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+  const bool surrogate = code >= 0xD800 && code < 0xE000;
+  return overlong || surrogate || code > 0x10FFFF ? 0 : length;
+}
+
+bool is_control(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x20 || byte == 0x7F;
+}
+
+}  // namespace
+
+std::size_t first_invalid_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text, i);
+    if (length == 0) return i;
+    i += length;
+  }
+  return std::string_view::npos;
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && text.size() <= kLongestName && is_utf8(text) &&
+         std::none_of(text.begin(), text.end(), is_control);
+}
+
+std::size_t first_byte_of_no_text(std::string_view bytes) {
+  return std::min(bytes.find('\0'), first_invalid_utf8(bytes));
+}
+
+tl::unexpected<Error> no_text(std::string_view bytes, std::size_t bad, std::size_t lines_before,
+                              std::string_view where) {
+  const auto ends = std::count(bytes.begin(), bytes.begin() + static_cast<long>(bad), '\n');
+  return fail(ErrorKind::kData, fmt::format("byte 0x{:02X} is not UTF-8 text", byte_at(bytes, bad)),
+              fmt::format("{}:{}", where, 1 + lines_before + static_cast<std::size_t>(ends)),
+              "save the file as UTF-8 text, or check that it is the right file");
+}
+
+Result<std::string_view> text_of(std::string_view bytes, std::string_view where) {
+  const std::size_t bad = first_byte_of_no_text(bytes);
+  if (bad != std::string_view::npos) return no_text(bytes, bad, 0, where);
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  return bytes;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t end = text.find(separator); end != std::string_view::npos;
+       end = text.find(separator)) {
+    parts.emplace_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  parts.emplace_back(text);
+  return parts;
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t kMost = 40;
+  const bool cut = text.size() > kMost;
+  std::size_t length = std::min(text.size(), kMost);
+  // Not in the middle of a character.
+  while (cut && length > 0 && (byte_at(text, length) & 0xC0) == 0x80) --length;
+  std::string out(text.substr(0, length));
+  std::replace_if(out.begin(), out.end(), is_control, '?');
+  return fmt::format("'{}{}'", out, cut ? "..." : "");
+}
+
+}  // namespace somato

@@ -1,0 +1,60 @@
+#include "bodies/body/frame_log.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bodies/body/driving.h"
+#include "somato/core/check.h"
+
+namespace somato {
+
+FrameLog::FrameLog(const BodyDescription& description) {
+  sensors_.reserve(description.sensors.size());
+  for (const ChannelDescription& sensor : description.sensors) {
+    Channel channel = detail::empty_channel(sensor);
+    channel.rate = 0.0;
+    sensors_.push_back({std::move(channel), sensor.rate, sensor.times_known || sensor.rate > 0.0});
+  }
+}
+
+Result<void> FrameLog::append(const BodyState& state) {
+  require(state.readings.size() == sensors_.size(),
+          "FrameLog::append: the readings belong to another body");
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    SOMATO_TRY_VOID(append(sensors_[i], state.readings[i], state.time));
+  }
+  return {};
+}
+
+Result<void> FrameLog::append(Sensor& sensor, const Matrix<float>& frames, double end) {
+  if (frames.rows() == 0) return {};
+  Channel& channel = sensor.channel;
+  if (channel.frames.columns() == 0) channel.frames = Matrix<float>(0, frames.columns());
+  if (frames.columns() != channel.frames.columns() || frames.columns() == 0) {
+    return fail(ErrorKind::kData,
+                fmt::format("the sensor '{}' gave {} elements, not {}", channel.name,
+                            frames.columns(), channel.frames.columns()),
+                channel.name, "check the body's description");
+  }
+  if (sensor.rate == 0.0 && frames.rows() != 1) {
+    return fail(ErrorKind::kData,
+                fmt::format("the sensor '{}' has no rate and gave {} frames in one step",
+                            channel.name, frames.rows()),
+                channel.name, "check the body's description");
+  }
+  channel.frames.append(frames);
+  for (std::size_t i = 0; sensor.times_known && i < frames.rows(); ++i) {
+    channel.times.push_back(frame_time(i, frames.rows(), sensor.rate, end));
+  }
+  return {};
+}
+
+std::vector<Channel> FrameLog::channels() && {
+  std::vector<Channel> channels;
+  channels.reserve(sensors_.size());
+  for (Sensor& sensor : sensors_) channels.push_back(std::move(sensor.channel));
+  return channels;
+}
+
+}  // namespace somato

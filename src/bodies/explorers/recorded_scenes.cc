@@ -1,0 +1,105 @@
+#include "bodies/explorers/recorded_scenes.h"
+
+#include <algorithm>
+#include <deque>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "bodies/hands/hand_poses.h"
+#include "bodies/probes/probe_poses.h"
+#include "somato/bodies/object_table.h"
+
+namespace somato {
+namespace {
+
+// The program's own come last.
+std::vector<Object> known_objects(std::vector<Object> own) {
+  for (const std::string& name : own_object_tables()) {
+    auto table = own_object_table(name, declared_materials());
+    if (!table) continue;
+    std::move(table->objects.begin(), table->objects.end(), std::back_inserter(own));
+  }
+  return own;
+}
+
+// Objects of others may have the same name. The trial is not a property of an object.
+bool is_contradicted(const Object& object, const Exploration& exploration) {
+  const std::vector<Label> known = labels_of(object, 0);
+  return std::any_of(known.begin(), known.end(), [&](const Label& label) {
+    const auto said = find_label(exploration, label.name);
+    return label.name != "trial" && said && *said != label.value;
+  });
+}
+
+// A substitute for an unknown object; it is not shown.
+Object nothing() {
+  Object object;
+  object.name = "nothing";
+  object.size = {20.0, 20.0, 20.0};
+  object.material = declared_materials().front();
+  return object;
+}
+
+class RecordedScenes {
+ public:
+  explicit RecordedScenes(std::vector<Object> own)
+      : objects_(known_objects(std::move(own))), nothing_(nothing()) {}
+
+  std::unique_ptr<ScenePlayer> find(const Exploration& exploration) {
+    for (const Hand hand : {Hand::kLucs2, Hand::kLucs3}) {
+      if (is_of_hand(exploration, hand)) return find(exploration, hand);
+    }
+    return play_probes(exploration);
+  }
+
+ private:
+  struct Built {
+    Hand hand;
+    bool taxels;
+    const Object* object;
+    HandScene scene;
+  };
+
+  std::unique_ptr<ScenePlayer> find(const Exploration& exploration, Hand hand) {
+    const bool taxels = static_cast<bool>(find_channel(exploration, "touch"));
+    const auto name = find_label(exploration, "object");
+    for (const Object& object : objects_) {
+      if (!name || object.name != *name) continue;
+      const HandScene* scene = built(hand, taxels, object);
+      if (scene == nullptr || is_contradicted(scene->object(), exploration)) continue;
+      return play_hand(*scene);
+    }
+    const HandScene* empty = built(hand, taxels, nothing_);
+    return empty != nullptr ? play_hand(*empty, false) : nullptr;
+  }
+
+  // Explorations of one thing follow each other, and people go back: to build a hand takes some
+  // milliseconds, in which nothing plays. nullptr for an object that does not fit it.
+  const HandScene* built(Hand hand, bool taxels, const Object& object) {
+    constexpr std::size_t kMost = 8;
+    for (const Built& one : built_) {
+      if (one.hand == hand && one.taxels == taxels && one.object == &object) return &one.scene;
+    }
+    SimulationParameters parameters;
+    parameters.taxels = taxels;
+    auto scene = HandScene::build(hand, object, parameters);
+    if (!scene) return nullptr;
+    if (built_.size() == kMost) built_.pop_front();
+    built_.push_back({hand, taxels, &object, std::move(*scene)});
+    return &built_.back().scene;
+  }
+
+  std::vector<Object> objects_;
+  Object nothing_;
+  std::deque<Built> built_;  // the latest last
+};
+
+}  // namespace
+
+SceneFinder recorded_scenes(std::vector<Object> own) {
+  auto scenes = std::make_shared<RecordedScenes>(std::move(own));
+  return [scenes](const Exploration& exploration) { return scenes->find(exploration); };
+}
+
+}  // namespace somato

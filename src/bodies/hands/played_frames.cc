@@ -1,0 +1,29 @@
+#include "bodies/hands/played_frames.h"
+
+#include <algorithm>
+
+namespace somato::detail {
+
+const Channel* played_channel(const Exploration& exploration, std::string_view name,
+                              std::size_t elements) {
+  for (const Channel& channel : exploration.channels) {
+    const Matrix<float>& frames = channel.frames;
+    if (channel.name == name && frames.columns() == elements && frames.rows() > 0) return &channel;
+  }
+  return nullptr;
+}
+
+std::size_t most_frames(const Exploration& exploration) {
+  std::size_t frames = 0;
+  for (const Channel& channel : exploration.channels) {
+    frames = std::max(frames, channel.frames.rows());
+  }
+  return frames;
+}
+
+std::size_t played_row(const Exploration& exploration, const Channel& channel, std::size_t frame) {
+  const std::size_t most = most_frames(exploration);
+  return std::min(frame, most - 1) * channel.frames.rows() / most;
+}
+
+}  // namespace somato::detail

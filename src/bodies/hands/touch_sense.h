@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bodies/physics/physics.h"
+
+namespace somato::detail {
+
+/// The taxels of a model: its geoms named taxel_NAME, in their order.
+struct Taxels {
+  std::vector<std::string> names;
+  std::vector<int> taxel_of_geom;  ///< For each geom of the model; -1 where it is none.
+};
+
+Taxels find_taxels(const mjModel& model);
+
+/// Adds up the normal forces (N) of the contacts of each taxel's own geom. The engine's sensor of
+/// type `touch` will not do: it also counts contacts of other geoms of the same body.
+void read_forces(const mjModel& model, const mjData& data, const Taxels& taxels,
+                 std::vector<double>& forces);
+
+/// Piezo elements with a charge amplifier: recent changes of a force, decaying with a time
+/// constant; a first-order high-pass filter.
+class PiezoElements {
+ public:
+  PiezoElements(std::size_t count, double time_constant)
+      : time_constant_(time_constant), forces_(count, 0.0), signals_(count, 0.0) {}
+
+  /// Advances by `seconds`, with these forces at the end.
+  void step(const std::vector<double>& forces, double seconds);
+
+  const std::vector<double>& signals() const { return signals_; }
+
+ private:
+  double time_constant_;
+  std::vector<double> forces_;
+  std::vector<double> signals_;
+};
+
+}  // namespace somato::detail

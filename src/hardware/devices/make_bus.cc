@@ -1,0 +1,74 @@
+#include "hardware/devices/device_io.h"
+
+#include "hardware/buses/anyskin_stream.h"
+#include "hardware/buses/dynamixel_bus.h"
+#include "hardware/buses/feetech_bus.h"
+#include "hardware/buses/number_line_stream.h"
+#include "hardware/buses/sensor_frame_stream.h"
+#include "hardware/buses/ssc32_bus.h"
+
+namespace somato::devices {
+namespace {
+
+std::unique_ptr<ServoBus> ssc32_bus(const DeviceFile& file) {
+  std::vector<int> channels;
+  channels.reserve(file.servos.size());
+  for (const ServoSettings& servo : file.servos)
+    channels.push_back(static_cast<int>(servo.channel));
+  return std::make_unique<Ssc32Bus>(std::move(channels));
+}
+
+std::unique_ptr<ServoBus> dynamixel_bus(const DeviceFile& file) {
+  std::vector<DynamixelServo> servos;
+  servos.reserve(file.servos.size());
+  for (const ServoSettings& servo : file.servos) {
+    servos.push_back({static_cast<std::uint8_t>(servo.channel), {}});
+  }
+  return std::make_unique<DynamixelBus>(std::move(servos));
+}
+
+std::unique_ptr<ServoBus> feetech_bus(const DeviceFile& file, const char* model) {
+  std::vector<FeetechServo> servos;
+  servos.reserve(file.servos.size());
+  for (const ServoSettings& servo : file.servos) {
+    servos.push_back({static_cast<std::uint8_t>(servo.channel), model});
+  }
+  return std::make_unique<FeetechBus>(std::move(servos));
+}
+
+}  // namespace
+
+std::unique_ptr<ServoBus> make_bus(const DeviceFile& file) {
+  if (file.servos.empty()) return nullptr;
+  switch (file.servo_line->bus) {
+    case BusKind::kSsc32:
+      return ssc32_bus(file);
+    case BusKind::kDynamixel:
+      return dynamixel_bus(file);
+    case BusKind::kSts:
+      return feetech_bus(file, "STS");
+    case BusKind::kScs:
+      break;
+  }
+  return feetech_bus(file, "SCS");
+}
+
+std::vector<std::uint8_t> relax_bytes_of(const DeviceFile& file) {
+  const std::unique_ptr<ServoBus> bus = make_bus(file);
+  if (!bus) return {};
+  return {bus->relax_bytes().begin(), bus->relax_bytes().end()};
+}
+
+std::unique_ptr<SensorStream> make_stream(const FrameLine& line) {
+  switch (line.format) {
+    case FrameFormat::kFrames:
+      return std::make_unique<SensorFrameStream>(line.elements);
+    case FrameFormat::kLines:
+      return std::make_unique<NumberLineStream>(line.elements);
+    case FrameFormat::kAnyskin:
+      break;
+  }
+  return std::make_unique<AnySkinStream>(line.elements / kAnyskinAxes);
+}
+
+}  // namespace somato::devices

@@ -1,0 +1,82 @@
+#include "hardware/emulation/make_boards.h"
+
+#include "hardware/emulation/dynamixel_servos.h"
+#include "hardware/emulation/feetech_servos.h"
+#include "hardware/emulation/sensor_board.h"
+#include "hardware/emulation/ssc32_board.h"
+
+namespace somato::emulation {
+namespace {
+
+std::unique_ptr<EmulatedServos> ssc32_board(const devices::DeviceFile& file) {
+  std::vector<int> channels;
+  channels.reserve(file.servos.size());
+  for (const devices::ServoSettings& servo : file.servos) {
+    channels.push_back(static_cast<int>(servo.channel));
+  }
+  return std::make_unique<Ssc32Board>(std::move(channels));
+}
+
+std::unique_ptr<EmulatedServos> dynamixel_servos(const devices::DeviceFile& file) {
+  std::vector<EmulatedDynamixel> servos;
+  servos.reserve(file.servos.size());
+  for (const devices::ServoSettings& servo : file.servos) {
+    EmulatedDynamixel made;
+    made.id = static_cast<std::uint8_t>(servo.channel);
+    made.position = servo.on_bus(servo.resting());
+    servos.push_back(made);
+  }
+  return std::make_unique<DynamixelServos>(std::move(servos));
+}
+
+std::unique_ptr<EmulatedServos> feetech_servos(const devices::DeviceFile& file,
+                                               wire::FeetechSeries series, std::uint16_t model) {
+  std::vector<EmulatedFeetech> servos;
+  servos.reserve(file.servos.size());
+  for (const devices::ServoSettings& servo : file.servos) {
+    EmulatedFeetech made;
+    made.id = static_cast<std::uint8_t>(servo.channel);
+    made.model = model;
+    made.position = servo.on_bus(servo.resting());
+    servos.push_back(made);
+  }
+  return std::make_unique<FeetechServos>(series, std::move(servos));
+}
+
+}  // namespace
+
+std::unique_ptr<EmulatedServos> make_servos(const devices::DeviceFile& file) {
+  constexpr std::uint16_t kSts3215 = 777;
+  constexpr std::uint16_t kScs0009 = 1284;
+  switch (file.servo_line->bus) {
+    case devices::BusKind::kSsc32:
+      return ssc32_board(file);
+    case devices::BusKind::kDynamixel:
+      return dynamixel_servos(file);
+    case devices::BusKind::kSts:
+      return feetech_servos(file, wire::FeetechSeries::kSts, kSts3215);
+    case devices::BusKind::kScs:
+      break;
+  }
+  return feetech_servos(file, wire::FeetechSeries::kScs, kScs0009);
+}
+
+std::unique_ptr<EmulatedSensors> make_sensors(const devices::FrameLine& line) {
+  SensorBoardSettings settings;
+  settings.elements = line.elements;
+  settings.rate = line.rate;
+  switch (line.format) {
+    case devices::FrameFormat::kFrames:
+      settings.format = SensorFormat::kFloat32Frame;
+      break;
+    case devices::FrameFormat::kLines:
+      settings.format = SensorFormat::kNumberLine;
+      break;
+    case devices::FrameFormat::kAnyskin:
+      settings.format = SensorFormat::kAnySkin;
+      break;
+  }
+  return std::make_unique<SensorBoard>(settings);
+}
+
+}  // namespace somato::emulation

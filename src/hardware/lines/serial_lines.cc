@@ -1,0 +1,84 @@
+#include "hardware/lines/serial_lines.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+
+#include "hardware/lines/sound_source.h"
+#include "somato/core/check.h"
+
+namespace somato::wire {
+namespace {
+
+constexpr std::size_t kMostLines = 8;
+
+tl::unexpected<Error> hung_up(const std::string& port) {
+  return fail(ErrorKind::kSystem, "the line has hung up", port,
+              "check the cable and the power of the device");
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SerialLines>> SerialLines::open(std::vector<Port> ports, double clock,
+                                                       const std::string& clock_port) {
+  require(ports.size() <= kMostLines, "SerialLines: too many ports");
+  std::unique_ptr<SerialLines> lines(new SerialLines(std::move(ports), clock));
+  for (std::size_t i = 0; i < lines->ports_.size(); ++i) {
+    SOMATO_TRY_VOID(lines->reopen(i));
+  }
+  if (!clock_port.empty()) {
+    SOMATO_TRY(lines->emulator_clock_, LineClock::open(clock_port));
+  }
+  return lines;
+}
+
+double SerialLines::now() const {
+  if (emulator_clock_) return emulator_clock_->now();
+  return clock_ * std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+Result<std::size_t> SerialLines::read(std::size_t line, std::span<std::uint8_t> bytes) {
+  if (hung_up_.at(line) != 0) return hung_up(ports_[line].path);
+  return read_available(open_[line].number(), bytes, ports_[line].path);
+}
+
+Result<std::size_t> SerialLines::write(std::size_t line, std::span<const std::uint8_t> bytes) {
+  return write_available(open_.at(line).number(), bytes, ports_[line].path);
+}
+
+// All ports of an emulator that has ended have hung up.
+void SerialLines::wait(double until) {
+  if (!emulator_clock_) return wait_at_ports(until);
+  if (!emulator_clock_->wait(until)) std::fill(hung_up_.begin(), hung_up_.end(), 1);
+}
+
+void SerialLines::wait_at_ports(double until) {
+  std::array<pollfd, kMostLines> polled{};
+  // A line that has hung up would end each wait at once, and others are still to be driven.
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    polled[i] = {hung_up_[i] != 0 ? -1 : open_[i].number(), POLLIN, 0};
+  }
+  const double left = std::max(0.0, until - now()) / clock_;
+  const double whole = std::floor(left);
+  const timespec timeout{static_cast<time_t>(whole), static_cast<long>((left - whole) * 1e9)};
+  if (ppoll(polled.data(), open_.size(), &timeout, nullptr) <= 0) return;
+  for (std::size_t i = 0; i < open_.size(); ++i) {
+    if ((polled[i].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) hung_up_[i] = 1;
+  }
+}
+
+Result<void> SerialLines::reopen(std::size_t line) {
+  open_.at(line) = Descriptor();
+  hung_up_[line] = 1;
+  const Port& port = ports_[line];
+  SOMATO_TRY(auto opened, port.baud > 0 ? open_serial_port(port.path, port.baud)
+                                        : open_sound(port.path, port.rate));
+  open_[line] = std::move(opened);
+  hung_up_[line] = 0;
+  return {};
+}
+
+}  // namespace somato::wire

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hardware/topics/topic_client.h"
+#include "recordings/ros/channel_reader.h"
+#include "somato/bodies/body.h"
+
+namespace somato::topics {
+
+/// A sensor of which a topic reports.
+struct TopicSensor {
+  std::string name;                ///< The name of the channel, such as "touch".
+  std::string unit;                ///< Empty: none, or not known.
+  std::string topic;               ///< Such as "/xServTopic".
+  std::vector<std::string> paths;  ///< Its numbers in a message; see FieldReader.
+  std::string names;               ///< The path of the names of its elements, or empty.
+};
+
+/// The intervals between the messages of the first topic of a body, since it began.
+struct TopicTimes {
+  std::size_t messages = 0;
+  double usual = 0.0;    ///< The median interval in s.
+  double longest = 0.0;  ///< The longest interval in s.
+  std::size_t gaps = 0;  ///< Intervals of more than three times the usual one.
+};
+
+/// A body without servos, whose sensors are topics of a robot. Its time is that of the server's
+/// clock, from the first message of the first topic since it began.
+///
+/// A step ends with the next message of the first topic, however long that takes: every message of
+/// it is a frame, with its time. The other sensors have the values of their last message.
+class TopicBody : public Body {
+ public:
+  /// Subscribes to the topics and waits at most `patience` seconds for them and for a message of
+  /// each; `client` must outlive the body. Errors (kSystem): no connection, or a topic that is
+  /// silent; (kUsage): an unknown topic or path; (kData): a message that cannot be read. Throws
+  /// InvalidArgument for no sensors.
+  static Result<std::unique_ptr<TopicBody>> start(std::string name, TopicClient& client,
+                                                  std::vector<TopicSensor> sensors,
+                                                  double patience);
+
+  const BodyDescription& description() const override { return description_; }
+  const BodyState& state() const override { return state_; }
+
+  /// Begins another exploration: what has arrived in the meantime is discarded, and time is 0
+  /// again with the next message.
+  void begin();
+
+  /// The intervals since begin().
+  TopicTimes times() const;
+
+ protected:
+  Result<void> drive_to(std::span<const double> targets) override;
+
+  /// Errors (kSystem): no message of the first topic for `patience` seconds; (kData): a message
+  /// that cannot be read, has another number of values than the first one, or is older than the one
+  /// before.
+  Result<void> pass(double seconds) override;
+
+ private:
+  struct Sensor {
+    TopicSensor declared;
+    std::size_t topic = 0;
+    ChannelReader reader;
+  };
+
+  TopicBody(std::string name, TopicClient& client, double patience)
+      : client_(client), patience_(patience) {
+    description_.name = std::move(name);
+  }
+
+  Result<void> subscribe(std::vector<TopicSensor> sensors);
+  Result<void> wait_for_all();
+  Result<bool> take(const Arrival& arrival);
+  Result<void> take_values(std::size_t sensor, const Arrival& arrival);
+  Result<void> keep_time(std::uint64_t time);
+  Result<Arrival> next();
+  Error silent(const std::string& topic) const;
+
+  TopicClient& client_;
+  double patience_;
+  BodyDescription description_;
+  BodyState state_;
+  std::vector<std::string> topics_;
+  std::vector<Sensor> sensors_;
+  std::deque<Arrival> arrivals_;
+  std::vector<double> values_;
+  std::optional<std::uint64_t> first_time_;
+  std::uint64_t last_time_ = 0;
+  std::vector<double> intervals_;
+};
+
+}  // namespace somato::topics

@@ -1,9 +1,0 @@
-// Compiled with the options of its instruction set (src/CMakeLists.txt); empty elsewhere.
-#if defined(__x86_64__)
-#define SOMATO_KERNELS avx2
-#include "kernels/batch_kernels_body.h"
-#include "kernels/kernels_body.h"
-#include "kernels/online_kernels_body.h"
-#include "kernels/product_kernels_body.h"
-#include "kernels/t_mpsom_kernels_body.h"
-#endif

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "maps/pictures/cells.h"
+#include "maps/svg/colours.h"
+#include "maps/svg/svg.h"
+
+namespace somato {
+
+/// The common parts of all panels: a title, a map, a footer (colour bar or legend) and a note, from
+/// top to bottom.
+struct PanelFrame {
+  std::string title;
+  Cells cells;
+  double width = 0.0;
+  double foot_height = 0.0;
+  std::vector<std::string> note_lines;
+
+  Point map_corner() const;
+  double foot_top() const;
+  double height() const;
+};
+
+/// The frame of a panel on `grid`, still without foot and note. Throws InvalidArgument for a grid
+/// without neurons.
+PanelFrame make_frame(const std::string& title, const Grid& grid);
+
+/// Adds a note, which also states if the map is a torus.
+void add_note(PanelFrame& frame, const std::string& note);
+
+/// Draws the title and the note.
+void draw_frame(SvgWriter& svg, const PanelFrame& frame);
+
+/// Draws every cell, neuron n filled with `fills[n]`; up to 2500 cells have `tooltip(n)`.
+void draw_cells(SvgWriter& svg, const PanelFrame& frame, const std::vector<Colour>& fills,
+                const std::function<std::string(std::size_t)>& tooltip);
+
+/// The place of a neuron for a reader, counted from 1.
+std::string place_of(const Grid& grid, std::size_t neuron);
+
+}  // namespace somato

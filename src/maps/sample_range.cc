@@ -1,9 +1,0 @@
-#include "maps/sample_range.h"
-
-namespace somato {
-
-bool is_in_range(const SignalView& prepared) {
-  return inner_product(prepared, prepared) <= kLongestSample * kLongestSample;
-}
-
-}  // namespace somato

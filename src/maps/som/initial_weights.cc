@@ -1,0 +1,115 @@
+#include "maps/som/initial_weights.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "somato/core/check.h"
+#include "somato/core/random.h"
+#include "somato/maps/som.h"
+
+namespace somato {
+namespace {
+
+// The first `count` of the samples in random order, in a new order whenever they run out.
+std::vector<std::size_t> drawn_samples(std::size_t count, std::size_t samples, std::uint64_t seed) {
+  Random random(seed, Stream::kInitialWeights);
+  std::vector<std::size_t> drawn;
+  std::vector<std::size_t> left;
+  while (drawn.size() < count) {
+    if (left.empty()) {
+      left.resize(samples);
+      std::iota(left.begin(), left.end(), std::size_t{0});
+    }
+    const std::size_t pick = random.below(left.size());
+    drawn.push_back(left[pick]);
+    left[pick] = left.back();
+    left.pop_back();
+  }
+  return drawn;
+}
+
+// The greatest of all processes.
+void maximize(ProcessGroup& processes, std::vector<float>& values) {
+  std::vector<double> numbers(values.begin(), values.end());
+  processes.maximize(numbers);
+  std::transform(numbers.begin(), numbers.end(), values.begin(),
+                 [](double number) { return static_cast<float>(number); });
+}
+
+void negate(std::vector<float>& values) {
+  for (float& value : values) value = -value;
+}
+
+}  // namespace
+
+std::vector<std::size_t> initial_samples(const SomParameters& parameters, std::size_t samples) {
+  require(samples > 0, "initial weights need at least one sample");
+  return drawn_samples(parameters.grid().size(), samples, parameters.seed);
+}
+
+// Zeros of sparse samples count.
+void widen_ranges(const Samples& samples, std::vector<float>& low, std::vector<float>& high) {
+  if (samples.count() == 0) return;
+  std::vector<float> row(samples.size());
+  write_dense(samples[0], row);
+  if (low.empty()) low = row;
+  if (high.empty()) high = row;
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    write_dense(samples[i], row);
+    for (std::size_t d = 0; d < row.size(); ++d) {
+      low[d] = std::min(low[d], row[d]);
+      high[d] = std::max(high[d], row[d]);
+    }
+  }
+}
+
+void combine_ranges(ProcessGroup& processes, std::size_t size, std::vector<float>& low,
+                    std::vector<float>& high) {
+  low.resize(size, std::numeric_limits<float>::max());
+  high.resize(size, std::numeric_limits<float>::lowest());
+  negate(low);
+  maximize(processes, low);
+  negate(low);
+  maximize(processes, high);
+}
+
+InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples)
+    : InitialWeightsSource(parameters, samples, StoredElements(samples.size())) {}
+
+InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples,
+                                           StoredElements elements)
+    : parameters_(parameters), samples_(samples), elements_(std::move(elements)) {
+  require(samples.size() == elements_.count(), "initial weights need the stored elements' samples");
+  require(samples.count() > 0, "initial weights need at least one sample");
+  if (parameters_.initial_weights == InitialWeights::kSamples) {
+    sample_of_neuron_ = initial_samples(parameters_, samples.count());
+  } else if (parameters_.initial_weights == InitialWeights::kRange) {
+    widen_ranges(samples, low_, high_);
+  }
+}
+
+void InitialWeightsSource::write(std::size_t neuron, std::span<float> out) const {
+  require(out.size() == samples_.size(), "initial weights need space for one value per feature");
+  if (parameters_.initial_weights == InitialWeights::kSamples) {
+    write_dense(samples_[sample_of_neuron_[neuron]], out);
+  } else {
+    write_uniform(static_cast<std::uint32_t>(neuron), out);
+  }
+  if (parameters_.initial_weights == InitialWeights::kRange) {
+    for (std::size_t d = 0; d < out.size(); ++d) out[d] = low_[d] + (high_[d] - low_[d]) * out[d];
+  }
+  if (parameters_.similarity == Similarity::kDotProduct) normalize_length(out);
+}
+
+// The numbers belong to the places of the elements in the input.
+void InitialWeightsSource::write_uniform(std::uint32_t neuron, std::span<float> out) const {
+  if (elements_.all()) {
+    uniform_row(parameters_.seed, Stream::kInitialWeights, neuron, out);
+  } else {
+    uniform_row(parameters_.seed, Stream::kInitialWeights, neuron, elements_.listed(), out);
+  }
+}
+
+}  // namespace somato

@@ -1,0 +1,66 @@
+#include "maps/training/training_checkpoint.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "base/archives/archive.h"
+#include "base/archives/checksum.h"
+#include "maps/som/map_parts.h"
+#include "maps/som/som_archive.h"
+#include "somato/core/parameter.h"
+
+namespace somato {
+namespace {
+
+const std::string kCheckpointKind = "som checkpoint";
+const std::string kCheckpointPrefix = "som.";
+
+std::string_view bytes_of(const std::vector<float>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+}
+
+}  // namespace
+
+std::string training_identity(const SomParameters& parameters, const SampleSurvey& survey) {
+  const std::uint64_t ranges = fnv1a64(bytes_of(survey.high), fnv1a64(bytes_of(survey.low)));
+  return fmt::format("{}samples = {}\nfeatures = {}\nranges = {:016x}\n",
+                     parameters_to_toml(parameters), survey.count, survey.low.size(), ranges);
+}
+
+Result<void> save_checkpoint(const std::string& path, const std::string& identity,
+                             const TrainingCheckpoint& checkpoint) {
+  Archive archive(kCheckpointKind);
+  archive.add("training", identity);
+  archive.add("epochs", Array<std::int64_t>{{1}, {static_cast<std::int64_t>(checkpoint.epochs)}});
+  add_som(archive, kCheckpointPrefix, checkpoint.som);
+  return save_archive(path, archive);
+}
+
+Result<std::optional<TrainingCheckpoint>> load_checkpoint(const std::string& path,
+                                                          const std::string& identity) {
+  std::error_code missing;
+  if (!std::filesystem::exists(path, missing)) return std::optional<TrainingCheckpoint>{};
+  SOMATO_TRY(const auto archive, load_archive(path));
+  if (archive.kind() != kCheckpointKind) {
+    return damaged_model("the file is not a checkpoint of training", path);
+  }
+  SOMATO_TRY(const auto training, archive.get<std::string>("training", path));
+  if (*training != identity) {
+    return fail(ErrorKind::kUsage, "the checkpoint is that of a training with other flags or data",
+                path, "complete that training, use another --checkpoint, or remove the file");
+  }
+  SOMATO_TRY(const auto epochs, archive.get<Array<std::int64_t>>("epochs", path));
+  SOMATO_TRY(auto som, som_from(archive, kCheckpointPrefix, path));
+  if (epochs->values.size() != 1 || epochs->values[0] < 0 ||
+      std::cmp_greater(epochs->values[0], som.parameters().epochs)) {
+    return damaged_model("'epochs' is not a number of epochs", path);
+  }
+  return TrainingCheckpoint{static_cast<std::uint64_t>(epochs->values[0]), std::move(som)};
+}
+
+}  // namespace somato

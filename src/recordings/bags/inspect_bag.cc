@@ -1,0 +1,68 @@
+#include "recordings/bags/inspect_bag.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "recordings/ros/topic_type.h"
+
+namespace somato {
+namespace {
+
+// The channels that have values in the first message of the topic.
+void describe_topic(TopicSummary& summary, const BagTopic& topic, std::string_view message) {
+  TopicType type = topic_type(topic.encoding);
+  summary.reason = std::move(type.reason);
+  const std::string base = topic.name.substr(topic.name.starts_with('/') ? 1 : 0);
+  std::vector<double> values;
+  for (const TopicChannel& channel : type.channels) {
+    const Result<void> read = channel.reader.read(message, values);
+    if (!read) {
+      summary.reason = read.error().what;
+    } else if (!values.empty()) {
+      summary.channels.push_back({base + channel.suffix, channel.unit, values.size()});
+    }
+  }
+  if (!summary.channels.empty()) summary.reason.clear();
+  if (summary.channels.empty() && summary.reason.empty()) {
+    summary.reason = "its first message holds no values";
+  }
+}
+
+void add_time(TopicSummary& summary, std::int64_t time) {
+  if (summary.messages == 0) summary.first = time;
+  if (summary.messages > 0 && time < summary.last) ++summary.set_back;
+  if (summary.messages > 0) {
+    summary.longest_gap = std::max(summary.longest_gap, time - summary.last);
+  }
+  summary.last = time;
+  ++summary.messages;
+}
+
+}  // namespace
+
+double TopicSummary::rate() const {
+  if (messages < 2 || last <= first) return 0.0;
+  return static_cast<double>(messages - 1) / (static_cast<double>(last - first) / 1e9);
+}
+
+Result<BagSummary> inspect_bag(const BagLocation& bag, const std::string& definitions) {
+  SOMATO_TRY(const std::unique_ptr<BagSource> source, open_bag(bag, definitions));
+  BagSummary summary{bag.name, bag.files.size(), {}, std::nullopt};
+  for (;;) {
+    Result<std::optional<BagMessage>> message = source->next();
+    if (!message) summary.damage = std::move(message.error());
+    if (!message || !*message) break;
+    for (std::size_t i = summary.topics.size(); i < source->topics().size(); ++i) {
+      const BagTopic& topic = source->topics()[i];
+      summary.topics.push_back({topic.name, topic.encoding.type, {}, "it has no messages"});
+    }
+    TopicSummary& topic = summary.topics[(*message)->topic];
+    if (topic.messages == 0) {
+      describe_topic(topic, source->topics()[(*message)->topic], (*message)->data);
+    }
+    add_time(topic, (*message)->time);
+  }
+  return summary;
+}
+
+}  // namespace somato

@@ -1,0 +1,47 @@
+#include "recordings/explorations/given_names.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace somato {
+namespace {
+
+Label& find_or_add(std::vector<Label>& labels, const std::string& name) {
+  const auto found = std::find_if(labels.begin(), labels.end(),
+                                  [&](const Label& label) { return label.name == name; });
+  return found != labels.end() ? *found : labels.emplace_back(Label{name, "unknown"});
+}
+
+}  // namespace
+
+void GivenNames::give(std::size_t exploration, const Label& label) {
+  given_[exploration][label.name] = label.value;
+}
+
+std::optional<std::string> GivenNames::given(std::size_t exploration,
+                                             const std::string& label) const {
+  const auto labels = given_.find(exploration);
+  if (labels == given_.end()) return {};
+  const auto found = labels->second.find(label);
+  return found == labels->second.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<Label> GivenNames::labels(std::size_t exploration, std::vector<Label> own) const {
+  for (const auto& [index, labels] : given_) {
+    for (const auto& [name, value] : labels) {
+      Label& label = find_or_add(own, name);
+      if (index == exploration) label.value = value;
+    }
+  }
+  return own;
+}
+
+Recording GivenNames::apply(const Recording& recording) const {
+  Recording named = recording;
+  for (std::size_t i = 0; i < named.explorations.size(); ++i) {
+    named.explorations[i].labels = labels(i, std::move(named.explorations[i].labels));
+  }
+  return named;
+}
+
+}  // namespace somato

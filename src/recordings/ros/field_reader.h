@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "recordings/ros/message_type.h"
+#include "somato/core/result.h"
+
+namespace somato {
+
+/// The value of a primitive field. `text` refers to the message.
+struct RosScalar {
+  RosPrimitive type = RosPrimitive::kUint8;
+  std::uint64_t bits = 0;  ///< The number as in the message; 0 for a text.
+  std::string_view text;
+
+  /// The number; exact, except for integers above 2^53. 0 for a text.
+  double number() const;
+};
+
+/// A value in words: a number as short as it reads back, or the text.
+std::string to_string(const RosScalar& scalar);
+
+/// Takes the values that a FieldReader reads, in order.
+class FieldSink {
+ public:
+  FieldSink() = default;
+  FieldSink(const FieldSink&) = delete;
+  FieldSink(FieldSink&&) = delete;
+  FieldSink& operator=(const FieldSink&) = delete;
+  FieldSink& operator=(FieldSink&&) = delete;
+  virtual ~FieldSink() = default;
+  virtual void take(const RosScalar& scalar) = 0;
+};
+
+/// Which values a path selects if it ends at a structure.
+enum class FieldKind { kNumbers, kTexts };
+
+/// Reads the values at a path from messages of a type: the core of every import of ROS messages,
+/// from bags and live.
+///
+/// A path names fields with dots between: `wrench.force.x`. After the name of an array or sequence,
+/// `[2]` selects an element, `[2..5]` several, and `[*]` or nothing all: `sensors[*].taxels[*].z`.
+/// A path that ends at a structure selects all numbers (or texts) in it, in order: `wrench.force`.
+///
+/// Reading takes time proportional to the length of the message and no memory, apart from that of
+/// the sink.
+class FieldReader {
+ public:
+  /// Errors (kUsage, with the path): a path that is not one, a field that does not exist (with the
+  /// nearest one that does), an index for a field without elements or beyond an array, a path to no
+  /// values of that kind.
+  static Result<FieldReader> compile(std::shared_ptr<const RosType> type, std::string_view path,
+                                     FieldKind kind = FieldKind::kNumbers);
+
+  /// Hands the values in `message` to `sink`. Errors (kData): a message that is not in CDR of
+  /// version 1, or ends within a field (with field and byte), a sequence that is longer than its
+  /// type permits or shorter than the path demands, a non-empty wstring in front of the values: its
+  /// encoding depends on the middleware. Values may have been handed over before.
+  Result<void> read(std::string_view message, FieldSink& sink) const;
+
+  /// The places of these values, such as "sensors[0].taxels[3].z". Errors as read().
+  Result<std::vector<std::string>> names(std::string_view message) const;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  struct Step {
+    std::size_t field = 0;  // In its structure.
+    std::size_t first = 0;  // Elements.
+    std::size_t last = kUnbounded;
+  };
+  class Walk;
+
+  FieldReader(std::shared_ptr<const RosType> type, std::string path, FieldKind kind)
+      : type_(std::move(type)), path_(std::move(path)), kind_(kind) {}
+
+  Result<Step> parse_step(const RosStructure& structure, std::string_view& rest) const;
+  Result<void> check_target(const RosField& target) const;
+
+  std::shared_ptr<const RosType> type_;
+  std::string path_;
+  FieldKind kind_;
+  std::vector<Step> steps_;
+};
+
+/// The paths of the primitive fields of that kind, up to `most`, such as "sensors[*].taxels[*].z".
+std::vector<std::string> field_paths(const RosType& type, FieldKind kind, std::size_t most);
+
+}  // namespace somato

@@ -1,0 +1,334 @@
+#include "recordings/tables/csv_trial_reader.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "base/tables/column_precision.h"
+#include "base/tables/csv_number.h"
+#include "base/tables/csv_records.h"
+#include "base/text/text.h"
+#include "recordings/tables/csv_import_check.h"
+
+namespace somato {
+namespace {
+
+constexpr std::size_t kLongestFloat = 32;  // Characters; to_chars() requires 15.
+
+double units_per_second(TimeUnit unit) {
+  switch (unit) {
+    case TimeUnit::kSeconds:
+      return 1.0;
+    case TimeUnit::kMilliseconds:
+      return 1e3;
+    case TimeUnit::kMicroseconds:
+      return 1e6;
+    case TimeUnit::kNanoseconds:
+      return 1e9;
+  }
+  return 1.0;
+}
+
+double scaled(const CsvChannel& channel, double number) {
+  const double value = channel.factor * number;
+  return channel.absolute ? std::fabs(value) : value;
+}
+
+// The value before it was rounded. A number that is the shortest text of the rounded value loses
+// nothing: it was written from a number of that precision.
+double exact_value(const CsvChannel& channel, double number, float rounded) {
+  const double exact = scaled(channel, number);
+  if (exact == double{rounded}) return exact;
+  char text[kLongestFloat];
+  const char* end = std::to_chars(text, text + kLongestFloat, rounded).ptr;
+  double shortest = 0.0;
+  std::from_chars(text, end, shortest);
+  return exact == shortest ? double{rounded} : exact;
+}
+
+// Whether a field is not a label. 'none' is a label: the object of an empty hand.
+bool is_missing_label(const std::string& text) {
+  return text != "none" && read_csv_number<double>(text).meaning == CsvMeaning::kMissing;
+}
+
+// Reads one file; every error has its location.
+class TrialReader {
+ public:
+  TrialReader(const CsvImport& description, const CsvLayout& layout, CsvFilesInCommon& common,
+              std::string_view text, const std::string& where)
+      : description_(description),
+        layout_(layout),
+        common_(common),
+        records_(text, where),
+        where_(where),
+        labels_(description.trials.labels.size()),
+        read_(description.channels.size()) {}
+
+  Result<CsvTrial> read() {
+    separator_ = records_.guess_separator();
+    auto done =
+        next().and_then([&] { return read_header(); }).and_then([&] { return read_rows(); });
+    if (!done) return fail(std::move(done.error()));
+    return CsvTrial{channels(), std::move(parts_)};
+  }
+
+ private:
+  struct Values {
+    std::vector<float> values;
+    std::vector<std::uint8_t> valid;
+    bool all_valid = true;
+    ColumnPrecision precision = {};
+  };
+
+  Result<void> next() { return records_.next(separator_, fields_); }
+
+  Result<void> read_header() {
+    if (fields_.empty()) return no_rows();
+    std::vector<std::string> names;
+    names.reserve(fields_.size());
+    for (const CsvField& field : fields_) {
+      names.push_back(description_.trials.header ? field.text : std::to_string(names.size() + 1));
+    }
+    Result<void> used = use_columns(names);
+    if (!used || !description_.trials.header) return used;
+    return next();
+  }
+
+  Result<void> use_columns(const std::vector<std::string>& names) {
+    auto found = find_csv_columns(description_, layout_, names);
+    if (!found) {
+      found.error().where = line_place();
+      return fail(std::move(found.error()));
+    }
+    columns_ = std::move(*found);
+    return refuse_duplicates(names).and_then([&] { return refuse_others(); }).and_then([&] {
+      return common_.take(columns_, names, where_);
+    });
+  }
+
+  Result<void> refuse_duplicates(const std::vector<std::string>& names) const {
+    std::map<std::string, bool> used_names;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const bool used = columns_.columns[i].use != CsvUse::kNothing;
+      const auto [name, is_new] = used_names.emplace(names[i], used);
+      if (is_new || (!used && !name->second)) continue;
+      return fail(ErrorKind::kData, fmt::format("there are two columns {}", shown(names[i])),
+                  records_.place(fields_[i]), "rename one of them");
+    }
+    return {};
+  }
+
+  Result<void> refuse_others() const {
+    const bool ignore = description_.trials.other_columns == Unmentioned::kIgnore;
+    if (ignore || columns_.others.empty()) return {};
+    std::vector<std::string> others;
+    others.reserve(columns_.others.size());
+    for (const std::string& name : columns_.others) others.push_back(shown(name));
+    return fail(ErrorKind::kData,
+                fmt::format("columns that are not mentioned: {}", fmt::join(others, ", ")),
+                line_place(), "assign them to a channel, or list them under 'ignore'");
+  }
+
+  Result<void> read_rows() {
+    if (fields_.empty()) return no_rows();
+    while (!fields_.empty()) {
+      Result<void> read = read_row().and_then([&] { return next(); });
+      if (!read) return read;
+    }
+    for (std::size_t c = 0; c < read_.size(); ++c) {
+      auto kept = read_[c].precision.check(columns_.channels[c], where_);
+      if (!kept) return kept;
+    }
+    return {};
+  }
+
+  Result<void> read_row() {
+    if (fields_.size() != columns_.columns.size()) {
+      return fail(
+          ErrorKind::kData,
+          fmt::format("expected {} fields, found {}", columns_.columns.size(), fields_.size()),
+          line_place(), "repair or remove the file");
+    }
+    for (std::size_t c = 0; c < read_.size(); ++c) {
+      read_[c].values.resize(read_[c].values.size() + columns_.channels[c].size());
+      read_[c].valid.resize(read_[c].values.size(), 1);
+    }
+    Result<void> read;
+    for (std::size_t i = 0; read && i < fields_.size(); ++i) {
+      read = read_field(fields_[i], columns_.columns[i]);
+    }
+    return read.and_then([&] { return add_to_part(); }).and_then([&] { return add_time(); });
+  }
+
+  Result<void> read_field(const CsvField& field, const CsvColumn& column) {
+    switch (column.use) {
+      case CsvUse::kNothing:
+        return {};
+      case CsvUse::kTime:
+        return read_time(field);
+      case CsvUse::kExploration:
+        return read_label(field, description_.trials.exploration, exploration_);
+      case CsvUse::kLabel:
+        return read_label(field, description_.trials.labels[column.element],
+                          labels_[column.element]);
+      case CsvUse::kValue:
+        return read_value(field, column);
+    }
+    return {};
+  }
+
+  Result<void> read_label(const CsvField& field, const std::string& name,
+                          std::string& value) const {
+    if (is_missing_label(field.text)) {
+      return fail(ErrorKind::kData,
+                  fmt::format("the label '{}' is missing: {}", name, shown(field.text)),
+                  records_.place(field), "fill it in, remove the row, or leave the label out");
+    }
+    if (!is_name(field.text)) {
+      return fail(
+          ErrorKind::kData,
+          fmt::format("the label '{}' is not 1 to 255 bytes of text without control characters: {}",
+                      name, shown(field.text)),
+          records_.place(field), "correct it");
+    }
+    value = field.text;
+    return {};
+  }
+
+  // Adds the row to the rows before it that have the same labels and exploration.
+  Result<void> add_to_part() {
+    begins_exploration_ = parts_.empty() || exploration_ != last_exploration_;
+    const bool changes = begins_exploration_ || parts_.back().values != labels_;
+    if (changes && !begins_exploration_ && !divides_files(description_.trials)) {
+      return fail(ErrorKind::kData, "the labels of columns change within the file", line_place(),
+                  "divide it: write for example window = 500, or rows = \"explorations\"");
+    }
+    if (changes) parts_.push_back({rows_, 0, labels_});
+    last_exploration_ = exploration_;
+    ++parts_.back().rows;
+    ++rows_;
+    return {};
+  }
+
+  Result<void> read_time(const CsvField& field) {
+    const auto [meaning, time] = read_csv_number<double>(field.text);
+    if (meaning != CsvMeaning::kNumber) return refuse(field, meaning);
+    time_ = time;
+    time_field_ = &field;
+    return {};
+  }
+
+  // The times of each exploration of a column of explorations begin at 0.
+  Result<void> add_time() {
+    if (!time_field_) return {};
+    if (begins_exploration_) first_time_ = time_;
+    const double seconds = (time_ - first_time_) / units_per_second(description_.trials.time_unit);
+    if (begins_exploration_ || seconds >= times_.back()) {
+      times_.push_back(seconds);
+      return {};
+    }
+    return fail(
+        ErrorKind::kData,
+        fmt::format("the time decreases: {} follows a later time", shown(time_field_->text)),
+        records_.place(*time_field_), "repair or remove the file");
+  }
+
+  Result<void> read_value(const CsvField& field, const CsvColumn& slot) {
+    Values& read = read_[slot.channel];
+    const std::size_t at =
+        read.values.size() - columns_.channels[slot.channel].size() + slot.element;
+    const auto [meaning, number] = read_csv_number<double>(field.text);
+    if (meaning == CsvMeaning::kMissing && description_.trials.missing == MissingValues::kMask) {
+      read.valid[at] = 0;
+      read.all_valid = false;
+      return {};
+    }
+    if (meaning != CsvMeaning::kNumber) return refuse(field, meaning);
+    const CsvChannel& channel = description_.channels[slot.channel];
+    const std::optional<float> value = csv_value(channel, number);
+    if (!value) return refuse(field, CsvMeaning::kTooLarge);
+    read.values[at] = *value;
+    read.precision.take(slot.element, exact_value(channel, number, *value), *value);
+    return {};
+  }
+
+  Result<void> refuse(const CsvField& field, CsvMeaning meaning) const {
+    auto refused = no_csv_number(field, meaning, records_.place(field),
+                                 "correct it, or list its column under 'ignore'");
+    if (meaning == CsvMeaning::kMissing) {
+      refused.value().advice = "fill in a number, or import with missing = \"mask\"";
+    }
+    return refused;
+  }
+
+  Result<void> no_rows() const {
+    return fail(ErrorKind::kData, "there are no rows of numbers", where_, "remove the file");
+  }
+
+  // The place of the last record.
+  std::string line_place() const { return fmt::format("{}:{}", where_, fields_[0].line); }
+
+  std::vector<Channel> channels() {
+    std::vector<Channel> channels;
+    channels.reserve(read_.size());
+    for (std::size_t c = 0; c < read_.size(); ++c) {
+      const CsvChannel& described = description_.channels[c];
+      const std::vector<std::string>& columns = columns_.channels[c];
+      Channel channel{described.name, described.unit, columns, {}, {}};
+      channel.shape = described.shape;
+      if (!columns.empty()) fill(channel, read_[c]);
+      channels.push_back(std::move(channel));
+    }
+    return channels;
+  }
+
+  void fill(Channel& channel, Values& read) const {
+    const std::size_t columns = channel.element_names.size();
+    const std::size_t rows = read.values.size() / columns;
+    channel.frames = Matrix<float>(rows, columns, std::move(read.values));
+    if (!read.all_valid) channel.valid = Matrix<std::uint8_t>(rows, columns, std::move(read.valid));
+    channel.times = times_;
+    channel.rate = description_.trials.rate;
+  }
+
+  const CsvImport& description_;
+  const CsvLayout& layout_;
+  CsvFilesInCommon& common_;
+  CsvRecords records_;
+  std::string where_;
+  char separator_ = ',';
+  std::vector<CsvField> fields_;
+  CsvColumns columns_;
+  std::vector<std::string> labels_;  // The labels of the last row.
+  std::vector<LabelledRows> parts_;
+  std::size_t rows_ = 0;
+  std::vector<Values> read_;  // The values of each channel.
+  std::vector<double> times_;
+  std::string exploration_;  // That of the last row, and of the row before it.
+  std::string last_exploration_;
+  bool begins_exploration_ = false;
+  double time_ = 0.0;  // The time of the last row.
+  const CsvField* time_field_ = nullptr;
+  double first_time_ = 0.0;
+};
+
+}  // namespace
+
+std::optional<float> csv_value(const CsvChannel& channel, double number) {
+  const double value = scaled(channel, number);
+  if (!(std::fabs(value) <= std::numeric_limits<float>::max())) return std::nullopt;
+  return static_cast<float>(value);
+}
+
+Result<CsvTrial> read_csv_trial(const CsvImport& description, const CsvLayout& layout,
+                                CsvFilesInCommon& common, std::string_view text,
+                                const std::string& where) {
+  return TrialReader(description, layout, common, text, where).read();
+}
+
+}  // namespace somato

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "somato/core/progress.h"
+#include "somato/core/result.h"
+#include "somato/graph/evaluation.h"
+#include "somato/graph/system.h"
+#include "somato/studies/results.h"
+#include "studies/description/exploration_samples.h"
+#include "studies/folds/prepared_study.h"
+#include "studies/measures/forgetting.h"
+#include "studies/measures/novelty_measures.h"
+#include "studies/measures/teaching_measures.h"
+
+namespace somato {
+
+/// The nearest training sample of each test sample, as numbers of explorations, for the baseline.
+struct Neighbours {
+  std::vector<std::size_t> raw;
+  std::vector<std::size_t> standardized;  ///< On vectors standardized on the training part.
+
+  bool operator==(const Neighbours&) const = default;
+};
+
+/// The results of altered test samples.
+struct AlteredOutcome {
+  std::vector<std::size_t> named_by;  ///< As in FoldOutcome.
+  Neighbours nearest;                 ///< Among the unaltered training samples.
+
+  bool operator==(const AlteredOutcome&) const = default;
+};
+
+/// The results of one training, from which all metrics are computed, for any label.
+struct FoldOutcome {
+  std::vector<std::size_t> training_winners;  ///< The winners of the training samples.
+  std::vector<std::size_t> winners;           ///< The winners of the test samples.
+  std::vector<std::size_t> named_by;         ///< The neurons that name the tested samples: the most
+                                             ///< similar of those that training samples won, with a
+                                             ///< recall the strongest of these.
+  Neighbours nearest;                        ///< The neighbours of the test samples.
+  double summed_distance = 0.0;              ///< Distances of the test samples from their winners.
+  double topographic_errors = 0.0;           ///< Tested samples whose two winners do not touch.
+  std::vector<AlteredOutcome> altered = {};  ///< One for each alteration.
+  std::vector<std::size_t> recalled = {};    ///< The strongest neurons of the activities called up
+                                             ///< for the test samples; empty without a recall.
+  std::vector<PredictionOutcome> predictions = {};  ///< For each prediction of the study.
+  TrainedMap map = {};  ///< The trained map; distances only where all samples are tested by it.
+  ObjectsOutcome objects = {};          ///< Only with object_after_object.
+  std::vector<std::size_t> named = {};  ///< Only with object_after_object: the classes that
+                                        ///< votes name.
+  NoveltyOutcome novelty = {};          ///< Only with leave_class_out.
+  TeachingOutcome teaching = {};        ///< Only with leave_class_out and taught_per_class.
+
+  bool operator==(const FoldOutcome&) const = default;
+};
+
+/// A trained system with what its map sees: of the explorations learned or tested at least.
+struct TrainedFold {
+  System system;
+  ExplorationValues inputs;                    ///< The inputs of the map.
+  ExplorationValues vectors;                   ///< For the baseline.
+  std::optional<ExplorationValues> recalled;   ///< The activities called up, of those tested.
+  std::vector<PredictionOutcome> predictions;  ///< For each prediction of the study.
+};
+
+/// Trains the system on the fold's training part only, with `seed`, and computes the input of its
+/// map for that part and for the tested one.
+Result<TrainedFold> train_fold(const StudyDescription& description, const PreparedStudy& prepared,
+                               const Fold& fold, std::uint64_t seed, const Progress& progress);
+
+/// The neighbours among the training samples of each of the lists of test samples, by the vectors
+/// of all of them.
+std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
+                                           const std::vector<std::size_t>& training,
+                                           const std::vector<std::vector<std::size_t>>& tests);
+
+/// The same for a fold: of its test samples, then of those altered by each alteration.
+std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
+                                           const PreparedStudy& prepared, const Fold& fold);
+
+/// Tests a trained system on a fold. `nearest` are those of nearest_neighbours(), or empty.
+FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared, const Fold& fold,
+                      std::vector<Neighbours> nearest);
+
+}  // namespace somato

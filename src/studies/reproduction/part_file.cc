@@ -1,0 +1,88 @@
+#include "studies/reproduction/part_file.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "studies/run/checked_line.h"
+
+namespace somato {
+namespace {
+
+using SortedJson = nlohmann::json;
+
+constexpr int kPartVersion = 3;
+
+SortedJson protocol_json(const ProtocolResults& protocol) {
+  SortedJson metrics = SortedJson::array();
+  for (const Metric& metric : protocol.metrics) {
+    metrics.push_back({metric.name, metric.values, metric.of_each});
+  }
+  return {{"protocol", protocol.protocol},
+          {"group", protocol.group},
+          {"label", protocol.label},
+          {"samples", protocol.samples},
+          {"metrics", metrics}};
+}
+
+// JSON has no NaN and writes null.
+std::vector<double> kept_values(const SortedJson& list) {
+  std::vector<double> values;
+  for (const SortedJson& value : list) {
+    values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                     : value.get<double>());
+  }
+  return values;
+}
+
+ProtocolResults protocol_of(const SortedJson& kept) {
+  ProtocolResults protocol;
+  kept.at("protocol").get_to(protocol.protocol);
+  kept.at("group").get_to(protocol.group);
+  kept.at("label").get_to(protocol.label);
+  kept.at("samples").get_to(protocol.samples);
+  for (const SortedJson& metric : kept.at("metrics")) {
+    protocol.metrics.push_back({metric.at(0), kept_values(metric.at(1)), metric.at(2)});
+  }
+  return protocol;
+}
+
+}  // namespace
+
+std::string part_file(const PartResults& part) {
+  SortedJson recordings = SortedJson::array();
+  for (const RecordingInfo& one : part.recordings) recordings.push_back(one.name);
+  SortedJson pairs = SortedJson::array();
+  for (const Pair& pair : part.pairs) pairs.push_back({pair.recording, pair.seed});
+  SortedJson protocols = SortedJson::array();
+  for (const ProtocolResults& protocol : part.protocols)
+    protocols.push_back(protocol_json(protocol));
+  return checked_line({{"somato_part", kPartVersion},
+                       {"question", part.question},
+                       {"system", part.system},
+                       {"variation", part.variation},
+                       {"recordings", recordings},
+                       {"pairs", pairs},
+                       {"protocols", protocols}});
+}
+
+std::optional<PartResults> read_part_file(std::string_view content) {
+  if (!content.ends_with('\n')) return {};
+  content.remove_suffix(1);
+  const auto kept = checked_content(content);
+  if (!kept || kept->value("somato_part", 0) != kPartVersion) return {};
+  PartResults part;
+  kept->at("question").get_to(part.question);
+  kept->at("system").get_to(part.system);
+  kept->at("variation").get_to(part.variation);
+  for (const SortedJson& name : kept->at("recordings")) {
+    part.recordings.push_back({name, {}, 0, {}, 0});
+  }
+  for (const SortedJson& pair : kept->at("pairs")) part.pairs.push_back({pair.at(0), pair.at(1)});
+  for (const SortedJson& protocol : kept->at("protocols")) {
+    part.protocols.push_back(protocol_of(protocol));
+  }
+  return part;
+}
+
+}  // namespace somato

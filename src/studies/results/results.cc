@@ -1,0 +1,203 @@
+#include "somato/studies/results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "studies/results/results_json.h"
+#include "studies/results/short_number.h"
+#include "systems/graph/graph_json.h"
+
+namespace somato {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json metrics_json(const std::vector<Metric>& metrics) {
+  Json json = Json::object();
+  for (const Metric& metric : metrics) {
+    json[metric.name] = {
+        {"mean", metric.mean()}, {"sd", metric.standard_deviation()}, {"values", metric.values}};
+    if (!metric.of_each.empty()) json[metric.name]["of_each"] = metric.of_each;
+  }
+  return json;
+}
+
+Json map_json(const TrainedMap& map) {
+  Json json = {{"grid", detail::grid_json(map.grid)},
+               {"u_matrix", detail::short_numbers(std::span<const double>(map.u_matrix))}};
+  if (map.grid.graph()) {
+    json["edge_distances"] = detail::short_numbers(std::span<const double>(map.edge_distances));
+  }
+  return json;
+}
+
+Json runs_json(const std::vector<Run>& runs) {
+  Json json = Json::array();
+  for (const Run& run : runs) {
+    json.push_back({{"seed", run.seed},
+                    {"winners", run.winners},
+                    {"labels", run.labels},
+                    {"predictions", run.predictions}});
+    for (const auto& [label, predictions] : run.other_predictions) {
+      json.back()["other_predictions"][label] = predictions;
+    }
+    if (run.map) json.back()["map"] = map_json(*run.map);
+  }
+  return json;
+}
+
+// Each recording once; parts refer to them by their numbers.
+class RecordingList {
+ public:
+  Json numbers_of(const std::vector<RecordingInfo>& recordings) {
+    Json numbers = Json::array();
+    for (const RecordingInfo& one : recordings) numbers.push_back(number_of(one));
+    return numbers;
+  }
+
+  Json json() const {
+    Json list = Json::array();
+    for (const RecordingInfo& one : recordings_) {
+      list.push_back({{"name", one.name},
+                      {"source", one.source},
+                      {"seed", one.seed},
+                      {"hash", one.hash},
+                      {"explorations", one.explorations}});
+    }
+    return list;
+  }
+
+ private:
+  std::size_t number_of(const RecordingInfo& recording) {
+    const auto known = std::find(recordings_.begin(), recordings_.end(), recording);
+    const auto number = static_cast<std::size_t>(known - recordings_.begin());
+    if (known == recordings_.end()) recordings_.push_back(recording);
+    return number;
+  }
+
+  std::vector<RecordingInfo> recordings_;
+};
+
+Json model_json(const std::optional<ModelFile>& model) {
+  if (!model) return nullptr;
+  return {{"path", model->path}, {"hash", model->hash}, {"seed", model->seed}};
+}
+
+Json part_json(const PartResults& part, RecordingList& recordings) {
+  Json pairs = Json::array();
+  for (const Pair& pair : part.pairs) pairs.push_back({pair.recording, pair.seed});
+  Json protocols = Json::array();
+  for (const ProtocolResults& one : part.protocols) protocols.push_back(detail::protocol_json(one));
+  return {{"question", part.question},
+          {"system", part.system},
+          {"variation", part.variation},
+          {"study", part.study},
+          {"parameters", detail::parameters_json(part.parameters)},
+          {"model", model_json(part.model)},
+          {"recordings", recordings.numbers_of(part.recordings)},
+          {"test_recordings", recordings.numbers_of(part.test_recordings)},
+          {"pairs", std::move(pairs)},
+          {"protocols", std::move(protocols)}};
+}
+
+Json optional_json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json outcome_json(const ClaimOutcome& outcome) {
+  const Metric values{outcome.claim.metric, outcome.values};
+  Json json = detail::claim_json(outcome.claim);
+  json["verdict"] = choice_name(outcome.verdict());
+  json["reason"] = outcome.reason();
+  json["share"] = outcome.share();
+  json["mean"] = values.mean();
+  json["sd"] = values.standard_deviation();
+  json["by_chance"] = optional_json(outcome.by_chance);
+  json["chance_share"] = optional_json(outcome.chance_share);
+  json["values"] = outcome.values;
+  return json;
+}
+
+}  // namespace
+
+Json detail::protocol_json(const ProtocolResults& protocol) {
+  Json json = {{"protocol", protocol.protocol}};
+  if (!protocol.group.empty()) json["group"] = protocol.group;
+  json.update({{"label", protocol.label},
+               {"samples", protocol.samples},
+               {"metrics", metrics_json(protocol.metrics)},
+               {"runs", runs_json(protocol.runs)}});
+  return json;
+}
+
+Json detail::parameters_json(const std::vector<Settings>& parts) {
+  Json json = Json::object();
+  for (const Settings& part : parts) {
+    json[part.part] = Json::object();
+    for (const Setting& setting : part.settings) json[part.part][setting.name] = setting.value;
+  }
+  return json;
+}
+
+Json detail::claim_json(const Claim& claim) {
+  Json json = {{"text", claim.text},           {"paper", claim.paper},
+               {"question", claim.question},   {"system", claim.system},
+               {"variation", claim.variation}, {"metric", claim.metric},
+               {"protocol", claim.protocol},   {"group", claim.group}};
+  if (claim.compares()) {
+    json["than_system"] = claim.than_system;
+    json["than_variation"] = claim.than_variation;
+    json["than_metric"] = claim.other_metric();
+  }
+  json["published"] = optional_json(claim.published);
+  json["at_least"] = optional_json(claim.at_least);
+  json["at_most"] = optional_json(claim.at_most);
+  return json;
+}
+
+std::string to_toml(const Settings& settings) {
+  std::string text = "\n[" + settings.part + "]\n";
+  for (const Setting& one : settings.settings) text += one.name + " = " + one.value + "\n";
+  return text;
+}
+
+double Metric::mean() const {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+double Metric::standard_deviation() const {
+  if (values.size() < 2) return 0.0;
+  const double center = mean();
+  double sum = 0.0;
+  for (const double value : values) sum += (value - center) * (value - center);
+  return std::sqrt(sum / static_cast<double>(values.size() - 1));
+}
+
+const Metric* ProtocolResults::find_metric(std::string_view metric) const {
+  const auto found = std::find_if(metrics.begin(), metrics.end(),
+                                  [&](const Metric& one) { return one.name == metric; });
+  return found == metrics.end() ? nullptr : &*found;
+}
+
+std::string to_json(const Results& results) {
+  RecordingList recordings;
+  Json parts = Json::array();
+  for (const PartResults& part : results.parts) parts.push_back(part_json(part, recordings));
+  Json claims = Json::array();
+  for (const ClaimOutcome& outcome : results.claims) claims.push_back(outcome_json(outcome));
+  Json skipped = Json::array();
+  for (const NotApplicable& one : results.not_applicable) {
+    skipped.push_back({{"system", one.system}, {"reason", one.reason}});
+  }
+  const Json json = {{"version", kResultsVersion},
+                     {"recordings", recordings.json()},
+                     {"parts", std::move(parts)},
+                     {"claims", std::move(claims)},
+                     {"not_applicable", std::move(skipped)}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace somato

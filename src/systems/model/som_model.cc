@@ -1,0 +1,186 @@
+#include "somato/graph/som_model.h"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "base/archives/archive.h"
+#include "base/files/toml_file.h"
+#include "maps/som/map_parts.h"
+#include "maps/som/som_archive.h"
+#include "somato/core/check.h"
+#include "systems/model/labels_part.h"
+#include "systems/model/model_parts.h"
+
+namespace somato {
+namespace {
+
+const std::string kSomKind = "som";
+const std::string kSomPrefix = "som.";
+const std::set<std::string> kKnownParts{kSomPrefix + "parameters",
+                                        kSomPrefix + "weights",
+                                        kSomPrefix + "input_size",
+                                        kSomPrefix + "elements",
+                                        "features",
+                                        "standardization",
+                                        "classes",
+                                        "labels",
+                                        "means"};
+
+// A list of names as a line of TOML, so that a name may hold anything.
+std::string names_to_toml(const std::vector<std::string>& names) {
+  Value::List list;
+  for (const std::string& name : names) list.push_back({name});
+  return "names = " + to_toml({list}) + "\n";
+}
+
+Result<std::vector<std::string>> read_names(const Archive& archive, const std::string& name,
+                                            const std::string& where) {
+  std::vector<std::string> names;
+  if (!archive.find(name)) return names;
+  SOMATO_TRY(auto text, archive.get<std::string>(name, where));
+  const Result<Table> table = parse_toml(*text, where);
+  const Table::Entry* entry = table ? table->find("names") : nullptr;
+  const Value* value = entry ? std::get_if<Value>(&entry->content) : nullptr;
+  const auto* list = value ? std::get_if<Value::List>(&value->content) : nullptr;
+  if (!list || list->empty()) {
+    return damaged_model("'" + name + "' is not a list of names", where);
+  }
+  for (const Value& item : *list) {
+    const auto* item_text = std::get_if<std::string>(&item.content);
+    if (!item_text) return damaged_model("'" + name + "' is not a list of names", where);
+    names.push_back(*item_text);
+  }
+  return names;
+}
+
+Array<double> standardization_array(const Standardization& standardization) {
+  Array<double> array{{2, standardization.means.size()}, standardization.means};
+  array.values.insert(array.values.end(), standardization.deviations.begin(),
+                      standardization.deviations.end());
+  return array;
+}
+
+Result<void> read_standardization(const Archive& archive, const std::string& where,
+                                  SomModel& model) {
+  if (!archive.find("standardization")) return {};
+  SOMATO_TRY(auto array, archive.get<Array<double>>("standardization", where));
+  const std::vector<double>& values = array->values;
+  const std::size_t size = model.som.input_size();
+  if (array->shape != std::vector<std::uint64_t>{2, size}) {
+    return damaged_model("the standardization does not fit the map", where);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i]) || (i >= size && values[i] < 0.0)) {
+      return damaged_model("the standardization contains an invalid number", where);
+    }
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(size);
+  model.standardization = Standardization{{values.begin(), middle}, {middle, values.end()}};
+  return {};
+}
+
+Result<void> read_means(const Archive& archive, const std::string& where, SomModel& model) {
+  if (!archive.find("means")) return {};
+  SOMATO_TRY(auto array, archive.get<Array<double>>("means", where));
+  const std::vector<double>& values = array->values;
+  if (array->shape != std::vector<std::uint64_t>{model.som.input_size()}) {
+    return damaged_model("the means do not fit the map", where);
+  }
+  for (const double value : values) {
+    if (!std::isfinite(value)) return damaged_model("the means contain an invalid number", where);
+  }
+  model.means = values;
+  return {};
+}
+
+Result<void> read_labels(const Archive& archive, const std::string& where, SomModel& model) {
+  if (model.classes.empty() && !archive.find("labels")) return {};
+  SOMATO_TRY(auto labels, labels_from(archive, model.som.neurons(), model.classes.size(), where));
+  model.labels = std::move(labels);
+  return {};
+}
+
+// Refuses models that could be saved but not be loaded.
+void require_fit(const SomModel& model) {
+  const std::size_t size = model.som.input_size();
+  require(model.features.empty() || model.features.size() == size,
+          "a model needs one name for each input element, or none");
+  require(!model.standardization || (model.standardization->means.size() == size &&
+                                     model.standardization->deviations.size() == size),
+          "a model's standardization needs as many columns as the map");
+  require(model.means.empty() || model.means.size() == size,
+          "a model's means need as many columns as the map");
+  require(model.labels.neurons() == (model.classes.empty() ? 0 : model.som.neurons()),
+          "a model with classes needs a label or none for each neuron; a model without classes "
+          "needs none");
+  require(model.classes.empty() || !model.labels.labelled().empty(),
+          "a model with classes needs a neuron with a label");
+  for (const std::size_t neuron : model.labels.labelled()) {
+    require(*model.labels[neuron] < model.classes.size(), "a neuron's class has no name");
+  }
+}
+
+Archive archive_of(const SomModel& model) {
+  require_fit(model);
+  Archive archive(kSomKind);
+  add_som(archive, kSomPrefix, model.som);
+  if (!model.features.empty()) archive.add("features", names_to_toml(model.features));
+  if (model.standardization) {
+    archive.add("standardization", standardization_array(*model.standardization));
+  }
+  if (!model.classes.empty()) {
+    archive.add("classes", names_to_toml(model.classes));
+    archive.add("labels", labels_array(model.labels));
+  }
+  if (!model.means.empty()) {
+    archive.add("means", Array<double>{{model.means.size()}, model.means});
+  }
+  return archive;
+}
+
+Result<SomModel> som_model_in(const Archive& archive, const std::string& where) {
+  SOMATO_TRY_VOID(check_kind(archive, kSomKind, where));
+  SOMATO_TRY_VOID(check_parts(archive, kKnownParts, where));
+  SOMATO_TRY(auto som, som_from(archive, kSomPrefix, where));
+  SOMATO_TRY(auto features, read_names(archive, "features", where));
+  SOMATO_TRY(auto classes, read_names(archive, "classes", where));
+  SomModel model{std::move(som), std::move(features), {}, std::move(classes), {}, {}};
+  if (!model.features.empty() && model.features.size() != model.som.input_size()) {
+    return damaged_model("the names of the features do not fit the map", where);
+  }
+  SOMATO_TRY_VOID(read_standardization(archive, where, model));
+  SOMATO_TRY_VOID(read_labels(archive, where, model));
+  SOMATO_TRY_VOID(read_means(archive, where, model));
+  return model;
+}
+
+}  // namespace
+
+std::vector<double> SomModel::fill_values() const {
+  return means.empty() && standardization ? standardization->means : means;
+}
+
+Samples SomModel::prepare(const Samples& samples) const {
+  return standardization ? standardization->apply(samples) : samples;
+}
+
+std::string encode_som_model(const SomModel& model) {
+  return encode_archive(archive_of(model));
+}
+
+Result<SomModel> decode_som_model(std::string_view bytes, const std::string& where) {
+  SOMATO_TRY(const auto archive, decode_archive(bytes, where));
+  return som_model_in(archive, where);
+}
+
+Result<void> save_som_model(const std::string& path, const SomModel& model) {
+  return save_archive(path, archive_of(model));
+}
+
+Result<SomModel> load_som_model(const std::string& path) {
+  SOMATO_TRY(const auto archive, load_archive(path));
+  return som_model_in(archive, path);
+}
+
+}  // namespace somato

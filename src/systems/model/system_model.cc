@@ -1,0 +1,214 @@
+#include "somato/graph/system_model.h"
+
+#include <set>
+#include <utility>
+
+#include "base/archives/archive.h"
+#include "base/files/toml_file.h"
+#include "maps/som/map_parts.h"
+#include "somato/core/check.h"
+#include "systems/model/labels_part.h"
+#include "systems/model/model_parts.h"
+#include "systems/model/novelty_part.h"
+#include "systems/modules/map_module.h"
+
+namespace somato {
+namespace {
+
+const std::string kSystemKind = "system";
+
+std::string prefix_of(const SystemModule& module) {
+  return "module." + module.name + ".";
+}
+
+// A channel of the layout as TOML reads it.
+struct ChannelPart {
+  ChannelLayout channel;
+
+  static const Declarations<ChannelPart>& declarations() {
+    using P = ChannelPart;
+    static const auto declared =
+        Declarations<P>()
+            .add(
+                "name", [](P& p) -> auto& { return p.channel.name; }, "", Range::any(), "Name.")
+            .add(
+                "unit", [](P& p) -> auto& { return p.channel.unit; }, "", Range::any(), "Unit.")
+            .add(
+                "shape", [](P& p) -> auto& { return p.channel.shape; }, "", Range::at_least(1),
+                "Shape of a frame.")
+            .add(
+                "elements", [](P& p) -> auto& { return p.channel.element_names; }, "", Range::any(),
+                "Names of the elements.")
+            .add(
+                "clock", [](P& p) -> auto& { return p.channel.clock; }, "", Range::any(),
+                "Channels with the same clock have frames recorded together.");
+    return declared;
+  }
+};
+
+std::string layout_to_toml(const RecordingLayout& layout) {
+  std::string text;
+  for (const ChannelLayout& channel : layout.channels) {
+    text += "[[channel]]\n" + parameters_to_toml(ChannelPart{channel});
+  }
+  return text;
+}
+
+Result<RecordingLayout> read_layout(const std::string& text, const std::string& where) {
+  const auto table = parse_toml(text, where);
+  if (!table) return damaged_model(table.error(), where);
+  RecordingLayout layout;
+  for (const Table::Entry& entry : table->entries) {
+    const auto* channels = std::get_if<std::vector<Table>>(&entry.content);
+    if (!channels || entry.name != "channel") return damaged_model("the layout is invalid", where);
+    for (const Table& channel : *channels) {
+      auto part = read_parameters<ChannelPart>(channel);
+      if (!part) return damaged_model(std::move(part.error()), where);
+      layout.channels.push_back(std::move(part->channel));
+    }
+  }
+  return layout;
+}
+
+struct AnswerPart {
+  SystemAnswer answer;
+
+  static const Declarations<AnswerPart>& declarations() {
+    using P = AnswerPart;
+    static const auto declared =
+        Declarations<P>()
+            .add(
+                "map", [](P& p) -> auto& { return p.answer.map; }, "", Range::any(), "Map.")
+            .add(
+                "label", [](P& p) -> auto& { return p.answer.label; }, "", Range::any(), "Label.")
+            .add(
+                "classes", [](P& p) -> auto& { return p.answer.classes; }, "", Range::any(),
+                "Names of the classes.");
+    return declared;
+  }
+};
+
+void require_fit(const System& system, const SystemAnswer& answer) {
+  const auto module = system.find(answer.map);
+  const Som* som = module ? som_of(system, *module) : nullptr;
+  require(som != nullptr, "a system's answer needs the name of a map");
+  require(som->neurons() == answer.labels.neurons() && !answer.labels.labelled().empty(),
+          "a system's answer needs a label or none for each neuron of the map, and at least one");
+  for (const std::size_t neuron : answer.labels.labelled()) {
+    require(*answer.labels[neuron] < answer.classes.size(), "a neuron's class has no name");
+  }
+  require(answer.votes.neurons() == 0 || (answer.votes.labels() == answer.labels &&
+                                          answer.votes.classes() <= answer.classes.size()),
+          "the labels of an answer must be those of its votes");
+  require(!answer.novelty || answer.novelty->scales.size() == answer.classes.size(),
+          "a threshold for unknown inputs needs a scale for each class");
+}
+
+Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
+                                 const std::string& where) {
+  SOMATO_TRY(auto part, parameters_from<AnswerPart>(archive, "answer", where));
+  const auto module = system.find(part.answer.map, where);
+  const Som* som = module ? som_of(system, *module) : nullptr;
+  if (som == nullptr) return damaged_model("the output map is missing", where);
+  SOMATO_TRY(auto labels, labels_from(archive, som->neurons(), part.answer.classes.size(), where));
+  part.answer.labels = std::move(labels);
+  SOMATO_TRY(part.answer.novelty, novelty_from(archive, part.answer.classes.size(), where));
+  if (!archive.find("votes")) return std::move(part.answer);
+  SOMATO_TRY(auto votes, votes_from(archive, som->neurons(), part.answer.classes.size(), where));
+  if (votes.labels() != part.answer.labels) {
+    return damaged_model("the labels are not those of the votes", where);
+  }
+  part.answer.votes = std::move(votes);
+  return std::move(part.answer);
+}
+
+Archive archive_of(const System& system, const std::optional<SystemAnswer>& answer) {
+  Archive archive(kSystemKind);
+  archive.add("description", to_toml(system.description()));
+  archive.add("layout", layout_to_toml(system.layout()));
+  for (const SystemModule& module : system.modules()) {
+    if (const Learner* learner = module.module->learner())
+      learner->save(archive, prefix_of(module));
+  }
+  if (answer) {
+    archive.add("answer", parameters_to_toml(AnswerPart{*answer}));
+    archive.add("labels", labels_array(answer->labels));
+    if (answer->votes.neurons() > 0) {
+      archive.add("votes", votes_array(answer->votes, answer->classes.size()));
+    }
+    if (answer->novelty) add_novelty(archive, *answer->novelty);
+  }
+  return archive;
+}
+
+Result<System> build(const Archive& archive, const std::string& where) {
+  SOMATO_TRY(const auto description, archive.get<std::string>("description", where));
+  SOMATO_TRY(const auto layout_text, archive.get<std::string>("layout", where));
+  const auto table = parse_toml(*description, where);
+  if (!table) return damaged_model(table.error(), where);
+  auto read = read_system(*table);
+  if (!read) return damaged_model(std::move(read.error()), where);
+  SOMATO_TRY(auto layout, read_layout(*layout_text, where));
+  auto system = System::build(std::move(*read), std::move(layout));
+  if (!system) return damaged_model(std::move(system.error()), where);
+  return system;
+}
+
+Result<SystemModel> system_model_in(const Archive& archive, const std::string& where) {
+  SOMATO_TRY(auto system, build(archive, where));
+  for (const SystemModule& module : system.modules()) {
+    Learner* learner = module.module->learner();
+    if (learner == nullptr) continue;
+    auto loaded = learner->load(archive, prefix_of(module), where);
+    if (!loaded) return damaged_model(std::move(loaded.error()), where);
+  }
+  SystemModel model{std::move(system), {}};
+  if (archive.find("answer")) {
+    SOMATO_TRY(model.answer, read_answer(archive, model.system, where));
+  }
+  return model;
+}
+
+}  // namespace
+
+const Som* som_of(const System& system, std::size_t module) {
+  const auto* som = dynamic_cast<const modules::MapModule*>(system.modules()[module].module.get());
+  return som != nullptr ? &som->som() : nullptr;
+}
+
+Grid grid_of(const System& system, std::size_t module) {
+  const auto* som = dynamic_cast<const modules::MapModule*>(system.modules()[module].module.get());
+  require(som != nullptr, "only a map has a grid");
+  return som->grid();
+}
+
+SystemAnswer answer_of(const System& system, std::size_t map, std::string label,
+                       std::vector<std::string> classes, const std::vector<std::size_t>& winners,
+                       const std::vector<std::size_t>& of_samples, std::optional<Novelty> novelty) {
+  NeuronVotes votes(som_of(system, map)->neurons());
+  votes.add_all(winners, of_samples);
+  NeuronLabels labels = votes.labels();
+  return {system.modules()[map].name, std::move(label), std::move(classes),
+          std::move(labels),          std::move(votes), std::move(novelty)};
+}
+
+Result<void> save_system(const std::string& path, const System& system,
+                         const std::optional<SystemAnswer>& answer) {
+  if (answer) require_fit(system, *answer);
+  return save_archive(path, archive_of(system, answer));
+}
+
+SystemModel copy_of(const SystemModel& model) {
+  return system_model_in(archive_of(model.system, model.answer), "copy").value();
+}
+
+Result<SystemModel> load_system(const std::string& path) {
+  SOMATO_TRY(const auto archive, load_archive(path));
+  SOMATO_TRY_VOID(check_kind(archive, kSystemKind, path));
+  SOMATO_TRY(auto model, system_model_in(archive, path));
+  // Saving again must give the same parts, neither more nor fewer.
+  if (archive_of(model.system, model.answer) == archive) return model;
+  return damaged_model("the parts do not fit together", path);
+}
+
+}  // namespace somato

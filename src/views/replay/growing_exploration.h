@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "views/replay/body_thread.h"
+#include "views/replay/kept_scene.h"
+#include "views/replay/played_exploration.h"
+
+namespace somato::live {
+
+/// The exploration of a body that still explores, as far as it has been shown: it is played like
+/// any other, but its end moves. Used by one thread.
+class GrowingExploration {
+ public:
+  /// It will be the exploration with that index.
+  GrowingExploration(std::size_t index, const BodyDescription& body,
+                     std::shared_ptr<const Scene> scene);
+
+  /// Takes a step. If its readings are recorded there is one moment more; that takes constant time
+  /// on average.
+  void append(BodyStep step);
+
+  /// Seconds from the last step to this one.
+  double seconds_to(const BodyStep& step) const;
+
+  /// The last step; its time counts from the first one. A sensor that read nothing during the step
+  /// has its readings of before.
+  const BodyStep& last() const { return last_; }
+
+  /// Valid as long as this lives.
+  PlayedExploration played() const { return {index_, &exploration_, timeline_, scene_, false}; }
+
+  /// The scenes of its moments.
+  const std::shared_ptr<KeptScene>& scene() const { return scene_; }
+
+ private:
+  void append_frames(const BodyState& state);
+
+  std::size_t index_;
+  Exploration exploration_;
+  std::shared_ptr<Timeline> timeline_;
+  std::shared_ptr<KeptScene> scene_;
+  std::vector<std::size_t> frames_;  // of each channel
+  std::optional<double> begun_;      // by the body's clock
+  BodyStep last_;
+};
+
+}  // namespace somato::live

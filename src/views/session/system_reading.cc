@@ -1,0 +1,132 @@
+#include "views/session/system_reading.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "somato/graph/answers.h"
+
+namespace somato::live {
+namespace {
+
+constexpr std::size_t kMostNeuronsShown = 4096;
+
+void scale_to_one(std::vector<float>& activity) {
+  const float most = activity.empty() ? 0.0F : *std::max_element(activity.begin(), activity.end());
+  if (!(most > 0.0F)) return;
+  for (float& value : activity) value = std::max(0.0F, value / most);
+}
+
+std::vector<std::vector<std::size_t>> neurons_by_class(const SystemAnswer& answer) {
+  std::vector<std::vector<std::size_t>> neurons(answer.classes.size());
+  for (const std::size_t neuron : answer.labels.labelled()) {
+    neurons[*answer.labels[neuron]].push_back(neuron);
+  }
+  return neurons;
+}
+
+std::vector<std::size_t> all_modules(const System& system) {
+  std::vector<std::size_t> all(system.modules().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+}  // namespace
+
+std::string Reading::name(const std::vector<std::string>& classes) const {
+  return novelty && is_unknown(*novelty) ? std::string(kUnknownAnswer)
+                                         : classes[candidates.front().number];
+}
+
+double Reading::confidence() const {
+  if (candidates.size() < 2) return candidates.empty() ? 0.0 : 1.0;
+  const double nearest = candidates[0].distance;
+  const double next = candidates[1].distance;
+  return next > 0.0 ? std::clamp(1.0 - nearest / next, 0.0, 1.0) : 0.0;
+}
+
+SystemReading::SystemReading(std::shared_ptr<const SystemModel> model, std::size_t map)
+    : model_(std::move(model)),
+      map_(map),
+      neurons_of_class_(neurons_by_class(*model_->answer)),
+      walk_(model_->system, all_modules(model_->system), Outputs::kLatest) {}
+
+Result<SystemReading> SystemReading::build(std::shared_ptr<const SystemModel> model) {
+  SOMATO_TRY(const auto map, answering_map(*model));
+  return SystemReading(std::move(model), map);
+}
+
+void SystemReading::start() {
+  exploration_ = nullptr;
+}
+
+Result<void> SystemReading::follow(const Exploration& exploration,
+                                   const std::vector<std::size_t>& frames) {
+  if (exploration_ != &exploration) {
+    SOMATO_TRY_VOID(walk_.start(&exploration));
+    exploration_ = &exploration;
+  }
+  return walk_.follow(frames);
+}
+
+// The answer is the class of the labelled neuron that is most similar; the others follow by
+// distance.
+std::vector<Candidate> SystemReading::candidates(const SignalView& input) const {
+  const NeuronLabels& labels = model_->answer->labels;
+  if (labels.labelled().empty()) return {};
+  const Som& som = *som_of(model_->system, map_);
+  SomWorkspace workspace;
+  const std::size_t answer = *labels[som.winner_among(labels.labelled(), input, workspace)];
+  std::vector<Candidate> candidates;
+  for (std::size_t number = 0; number < neurons_of_class_.size(); ++number) {
+    if (neurons_of_class_[number].empty()) continue;
+    const std::size_t nearest = som.winner_among(neurons_of_class_[number], input, workspace);
+    candidates.push_back({number, som.distance(input, nearest, workspace)});
+  }
+  std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+    const auto key = [&](const Candidate& one) {
+      return std::tuple(one.number != answer, one.distance, one.number);
+    };
+    return key(a) < key(b);
+  });
+  return candidates;
+}
+
+MapReading SystemReading::read_map(std::size_t module, const SignalView& input) const {
+  const Som& som = *som_of(model_->system, module);
+  SomWorkspace workspace;
+  MapReading reading{som.winner(input, workspace), 0.0, std::vector<float>(som.neurons())};
+  reading.distance = som.distance(input, reading.winner, workspace);
+  som.activity(input, workspace, reading.activity);
+  scale_to_one(reading.activity);
+  return reading;
+}
+
+Result<std::optional<Reading>> SystemReading::read() {
+  if (exploration_ == nullptr || !walk_.has_frames()) return std::optional<Reading>{};
+  SOMATO_TRY_VOID(walk_.settle());
+  Reading reading;
+  const auto& modules = model_->system.modules();
+  for (std::size_t module = 0; module < modules.size(); ++module) {
+    if (som_of(model_->system, module) == nullptr) {
+      reading.modules.emplace_back(
+          module,
+          fold_signal(*walk_.output(module), modules[module].output.shape, kMostNeuronsShown));
+    } else {
+      reading.maps.emplace_back(module, read_map(module, input_of(module)));
+    }
+  }
+  reading.candidates = candidates(input_of(map_));
+  const auto& novelty = model_->answer->novelty;
+  if (novelty && !reading.candidates.empty()) {
+    const Candidate& nearest = reading.candidates.front();
+    reading.novelty = novelty->of(nearest.number, nearest.distance);
+  }
+  return std::optional<Reading>(std::move(reading));
+}
+
+SignalView SystemReading::input_of(std::size_t module) const {
+  return *walk_.output(model_->system.modules()[module].inputs.front());
+}
+
+}  // namespace somato::live

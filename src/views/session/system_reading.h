@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "somato/core/result.h"
+#include "somato/graph/system_model.h"
+#include "somato/recording/recording.h"
+#include "systems/walk/walk.h"
+#include "views/session/folded_signal.h"
+
+namespace somato::live {
+
+/// A map's answer to an input.
+struct MapReading {
+  std::size_t winner = 0;
+  double distance = 0.0;        ///< The distance of the winner.
+  std::vector<float> activity;  ///< A value a neuron; the greatest is 1, unless all are 0.
+};
+
+/// A class and how far its nearest neuron is.
+struct Candidate {
+  std::size_t number = 0;  ///< The number of the class.
+  double distance = 0.0;
+};
+
+/// The reading of a system for an exploration up to a moment.
+struct Reading {
+  std::vector<std::pair<std::size_t, FoldedSignal>> modules;  ///< By numbers; maps are not here.
+  std::vector<std::pair<std::size_t, MapReading>> maps;
+  std::vector<Candidate> candidates;   ///< The nearest, which is the answer, first; or none.
+  std::optional<double> novelty = {};  ///< That of the nearest, if there is a threshold.
+
+  /// The name that is read: that of the nearest class, or "unknown" if it is too far. There must be
+  /// a candidate.
+  std::string name(const std::vector<std::string>& classes) const;
+
+  /// How much nearer the nearest class is than the next: 0 equally near, 1 far; 1 without a next.
+  double confidence() const;
+};
+
+/// A trained system that follows an exploration and says after each moment what it would if that
+/// were the last.
+class SystemReading {
+ public:
+  /// Errors (kData): a system without a map that answers, or whose answer comes with every frame.
+  static Result<SystemReading> build(std::shared_ptr<const SystemModel> model);
+
+  /// Whether a reading costs as much as evaluating the exploration so far.
+  bool is_costly() const { return walk_.is_costly(); }
+
+  const SystemModel& model() const { return *model_; }
+  std::size_t map() const { return map_; }
+
+  /// Goes to the start of an exploration.
+  void start();
+
+  /// Follows the exploration, which has to stay where it is, until the channels have given so many
+  /// frames each. Errors (kData) name channel or module.
+  Result<void> follow(const Exploration& exploration, const std::vector<std::size_t>& frames);
+
+  /// The present reading; nothing before each channel gave a frame. Errors (kData): those of the
+  /// modules, which may need more frames.
+  Result<std::optional<Reading>> read();
+
+ private:
+  SystemReading(std::shared_ptr<const SystemModel> model, std::size_t map);
+
+  std::vector<Candidate> candidates(const SignalView& input) const;
+  SignalView input_of(std::size_t module) const;
+  MapReading read_map(std::size_t module, const SignalView& input) const;
+
+  std::shared_ptr<const SystemModel> model_;
+  std::size_t map_;
+  std::vector<std::vector<std::size_t>> neurons_of_class_;
+  Walk walk_;
+  const Exploration* exploration_ = nullptr;  // that the walk goes through
+};
+
+}  // namespace somato::live

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recordings/file/growing_recording.h"
+#include "somato/bodies/explorer.h"
+#include "somato/bodies/exploring.h"
+#include "somato/bodies/scene.h"
+#include "somato/graph/system_description.h"
+#include "somato/graph/system_model.h"
+#include "somato/recording/recording.h"
+#include "views/session/reading_sink.h"
+
+namespace somato {
+
+/// A system that may be chosen: trained already, or to be trained on what is viewed.
+struct ViewSystem {
+  std::string name;
+  std::string text;                    ///< One line.
+  SystemDescription description = {};  ///< The description of one that is still to be trained.
+  std::string label = {};              ///< The label to be predicted, such as "object".
+  std::string map = {};                ///< The module that answers; empty: its last map.
+  std::shared_ptr<const SystemModel> trained;  ///< Or nullptr.
+};
+
+/// An exploration of a body that follows without a further command.
+struct PlannedExploration {
+  std::size_t thing = 0;
+  std::size_t trial = 0;
+};
+
+/// Explorations of a simulated body before those of the view, for a system that is trained on them
+/// when the view starts.
+struct PriorExplorations {
+  std::size_t rounds = 0;  ///< Each explores every thing once; the system is trained after each.
+  std::shared_ptr<const SimulatedExplorer> explorer = {};
+  std::vector<std::size_t> things = {};  ///< By number.
+};
+
+/// The source of the view: a recording, or a body that explores, simulated or real.
+struct ViewSource {
+  std::string name;          ///< The file's name, or the body's.
+  Recording recording = {};  ///< Valid; of a body what was explored before, if any.
+  /// The name of the recording of each of these explorations, if there are several.
+  std::vector<std::string> origins = {};
+  std::unique_ptr<Explorer> explorer = {};  ///< With the body; or nullptr.
+  std::size_t thing = 0;                    ///< That the body explores first.
+  /// The explorations of the body, one after the other, each object placed at random; it then
+  /// explores nothing else. Empty: one thing, and what commands say.
+  std::vector<PlannedExploration> plan = {};
+  /// Whether the plan is a demonstration: after its last exploration all are played again, in a
+  /// loop, until a viewer explores or selects an object.
+  bool demonstrates = false;
+  /// The selected system is trained on these; may have no rounds.
+  PriorExplorations prior_explorations = {};
+  bool teaches = true;     ///< Whether the selected system learns the names that are given.
+  std::uint64_t seed = 1;  ///< The seed of training.
+  /// Where the explorations of the body are saved, or nullptr; must outlive the session.
+  GrowingRecording* file = nullptr;
+  SceneFinder scenes = {};  ///< For recordings; may be empty.
+  /// Takes what the first of the systems says, which is then the only one; may be empty.
+  live::ReadingSink readings = {};
+  std::vector<ViewSystem> systems = {};
+  std::optional<std::size_t> system = {};  ///< That is chosen first.
+};
+
+/// Without waiting for the next moment.
+inline constexpr double kFastest = 1e9;
+
+/// How it is viewed.
+struct ViewSettings {
+  bool wait_for_viewer = true;  ///< Begins to play with the first viewer; else at once.
+  double speed = 1.0;           ///< 0.05 to 100, or kFastest; 1: as fast as it was.
+  /// Seconds between two of the hundred snapshots of a map in training: at full speed they could
+  /// not be followed.
+  double training_pause = 0.06;
+  double result_pause = 1.5;  ///< Seconds for which a demonstration shows each result.
+};
+
+}  // namespace somato

@@ -1,0 +1,44 @@
+#include "views/teaching/teacher.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "somato/graph/further_learning.h"
+#include "views/session/viewed_system.h"
+
+namespace somato::live {
+namespace {
+
+void learn(SystemModel& model, const Recording& recording, TaughtName& name) {
+  auto taught = somato::teach(model, recording, name.exploration, name.name);
+  name.problem = taught ? std::string() : sentence_of(taught.error());
+  name.taught = taught ? std::move(*taught) : Taught{};
+}
+
+}  // namespace
+
+const TaughtName& Teacher::teach(const Recording& recording, std::size_t exploration,
+                                 const std::string& name) {
+  const auto known = std::find_if(names_.begin(), names_.end(), [&](const TaughtName& one) {
+    return one.exploration == exploration;
+  });
+  const bool is_new = known == names_.end();
+  TaughtName& given = is_new ? names_.emplace_back() : *known;
+  given.exploration = exploration;
+  given.name = name;
+  SystemModel model = copy_of(is_new ? *model_ : *untaught_);
+  if (is_new) {
+    learn(model, recording, given);
+  } else {
+    for (TaughtName& one : names_) learn(model, recording, one);
+  }
+  model_ = std::make_shared<const SystemModel>(std::move(model));
+  return given;
+}
+
+void Teacher::forget() {
+  model_ = untaught_;
+  names_.clear();
+}
+
+}  // namespace somato::live

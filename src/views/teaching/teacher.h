@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "somato/graph/system_model.h"
+#include "somato/recording/recording.h"
+#include "views/session/reading_sink.h"
+
+namespace somato::live {
+
+/// A system that learns the names that explorations are given in a session. Used by one thread; the
+/// models do not change, so that other threads may read them.
+class Teacher {
+ public:
+  /// `model` has an answer.
+  explicit Teacher(std::shared_ptr<const SystemModel> model)
+      : untaught_(model), model_(std::move(model)) {}
+
+  /// The model with all names that it was taught.
+  const std::shared_ptr<const SystemModel>& model() const { return model_; }
+
+  /// The names in the order in which they were learned, each of another exploration.
+  const std::vector<TaughtName>& names() const { return names_; }
+
+  /// Teaches the name of an exploration of `recording`. Another name for the same exploration
+  /// replaces the earlier one, as if that had never been given.
+  const TaughtName& teach(const Recording& recording, std::size_t exploration,
+                          const std::string& name);
+
+  /// Returns to the model without these names.
+  void forget();
+
+ private:
+  std::shared_ptr<const SystemModel> untaught_;
+  std::shared_ptr<const SystemModel> model_;
+  std::vector<TaughtName> names_;
+};
+
+}  // namespace somato::live

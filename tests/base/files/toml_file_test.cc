@@ -1,0 +1,122 @@
+#include "base/files/toml_file.h"
+
+#include <gtest/gtest.h>
+
+#include "base/support/temporary_folder.h"
+
+namespace somato {
+namespace {
+
+Table table_of(const std::string& text) {
+  Result<Table> table = parse_toml(text, "f");
+  if (!table) ADD_FAILURE() << to_string(table.error());
+  return table ? *table : Table{};
+}
+
+const Value& value_of(const Table& table, const std::string& name) {
+  return std::get<Value>(table.find(name)->content);
+}
+
+void expect_toml_refused(const std::string& text, const std::string& where,
+                         const std::string& because) {
+  const Result<Table> table = parse_toml(text, "f");
+  ASSERT_FALSE(table) << text.substr(0, 100);
+  EXPECT_EQ(table.error().kind, ErrorKind::kUsage);
+  EXPECT_EQ(table.error().where, where) << table.error().what;
+  EXPECT_NE(table.error().what.find(because), std::string::npos) << table.error().what;
+  EXPECT_FALSE(table.error().advice.empty());
+}
+
+TEST(TomlFile, ReadsEveryKindOfValue) {
+  const Table table = table_of(
+      "switch = true\nwhole = -15\nnumber = 0.5\ntext = 'a'\n"
+      "list = [1, 2.5]\nnested = [[1], []]\nempty = []\n");
+  EXPECT_EQ(value_of(table, "switch"), Value{true});
+  EXPECT_EQ(value_of(table, "whole"), Value{std::int64_t{-15}});
+  EXPECT_EQ(value_of(table, "number"), Value{0.5});
+  EXPECT_EQ(value_of(table, "text"), Value{std::string("a")});
+  EXPECT_EQ(value_of(table, "list"), (Value{Value::List{{std::int64_t{1}}, {2.5}}}));
+  EXPECT_EQ(value_of(table, "nested"),
+            (Value{Value::List{{Value::List{{std::int64_t{1}}}}, {Value::List{}}}}));
+  EXPECT_EQ(value_of(table, "empty"), Value{Value::List{}});
+}
+
+TEST(TomlFile, KeepsOrderAndPlaces) {
+  const Table table = table_of(
+      "name = 'x'\n\n[zebra]\nb = 1\na = 2\n\n[[module]]\nkind = 'som'\n\n[[module]]\n"
+      "kind = 'sum'\n\n[apple]\nx.y = 3\n");
+  ASSERT_EQ(table.entries.size(), 4u);
+  EXPECT_EQ(table.where, "f:1");
+  EXPECT_EQ(table.entries[0].name, "name");
+  EXPECT_EQ(table.entries[0].where, "f:1");
+  EXPECT_EQ(table.entries[1].name, "zebra");
+  EXPECT_EQ(table.entries[2].name, "module");
+  EXPECT_EQ(table.entries[3].name, "apple");
+
+  const Table& zebra = std::get<Table>(table.entries[1].content);
+  EXPECT_EQ(zebra.where, "f:3");
+  EXPECT_EQ(zebra.entries[0].name, "b");
+  EXPECT_EQ(zebra.entries[1].where, "f:5");
+
+  const auto& modules = std::get<std::vector<Table>>(table.entries[2].content);
+  ASSERT_EQ(modules.size(), 2u);
+  EXPECT_EQ(modules[1].where, "f:10");
+  EXPECT_EQ(modules[1].entries[0].where, "f:11");
+
+  const Table& x = std::get<Table>(std::get<Table>(table.entries[3].content).entries[0].content);
+  EXPECT_EQ(x.entries[0].name, "y");
+  EXPECT_EQ(x.entries[0].where, "f:14");
+}
+
+TEST(TomlFile, SaysWhereTheSyntaxIsWrong) {
+  expect_toml_refused("a = 1\nb = \n", "f:2:5", "");
+  expect_toml_refused("a = 'x\n", "f:1:7", "");
+  const Error twice = parse_toml("a = 1\na = 2\n", "f").error();
+  EXPECT_TRUE(twice.where.starts_with("f:2:")) << twice.where;
+  EXPECT_NE(twice.what.find("redefine existing integer 'a'"), std::string::npos) << twice.what;
+}
+
+// Letters that toml++ 3.3 is not ready for.
+TEST(TomlFile, KnowsLettersOutsideAsciiFromBlanks) {
+  expect_toml_refused("gr\xC3\xB6\xC3\x9F = 1\n", "f:1:3", "");
+  EXPECT_FALSE(parse_toml("a = 1 \xC3\xA4\n", "f"));
+  EXPECT_FALSE(parse_toml("a = 1\xD2\x99\n", "f"));
+  EXPECT_EQ(value_of(table_of("a = \"\"\"x\\\n  \xC3\xA4\"\"\"\n'\xC3\xA4' = 1\n"), "a"),
+            Value{std::string("x\xC3\xA4")});
+}
+
+TEST(TomlFile, RefusesWhatDescriptionsDoNotUse) {
+  expect_toml_refused("a = 2020-01-01\n", "f:1:5", "dates and times");
+  expect_toml_refused("a = [07:30:00]\n", "f:1:6", "dates and times");
+  expect_toml_refused("a = [1, 'x']\n", "f:1:9", "mixes types");
+  expect_toml_refused("a = [1, true]\n", "f:1:9", "mixes types");
+  expect_toml_refused("a = [{b = 1}, 2]\n", "f:1:6", "array of values contains a table");
+  expect_toml_refused("a = [[{b = 1}]]\n", "f:1:7", "array of values contains a table");
+}
+
+std::string repeated(const std::string& piece, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += piece;
+  return text;
+}
+
+TEST(TomlFile, RefusesWhatIsTooDeepOrTooLarge) {
+  EXPECT_TRUE(parse_toml("a = " + repeated("[", 15) + repeated("]", 15), "f"));
+  expect_toml_refused("a = " + repeated("[", 17) + repeated("]", 17), "f:1:21", "16 levels");
+  expect_toml_refused("a = " + repeated("{a=", 17) + "1" + repeated("}", 17), "f:1:53",
+                      "16 levels");
+  EXPECT_FALSE(parse_toml("a = " + repeated("[", 1000000), "f"));
+  EXPECT_FALSE(parse_toml("a = " + repeated("{a=", 1000000), "f"));
+  expect_toml_refused("\n" + repeated("a.", 1000000) + "a = 1", "f:2", "parts");
+  expect_toml_refused("#" + std::string(16 << 20, ' '), "f", "larger than");
+}
+
+TEST(TomlFile, IsReadFromAFile) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_toml(folder.with("a.toml", "a = 1\n"))->entries[0].where,
+            folder.file("a.toml") + ":1");
+  EXPECT_EQ(read_toml(folder.file("missing")).error().kind, ErrorKind::kSystem);
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,85 @@
+#include "hardware/buses/sensor_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "base/support/no_malloc.h"
+#include "hardware/buses/anyskin_stream.h"
+#include "hardware/buses/number_line_stream.h"
+#include "hardware/buses/sensor_frame_stream.h"
+#include "hardware/emulation/sensor_board.h"
+#include "hardware/support/emulated_line.h"
+
+namespace somato::devices {
+namespace {
+
+using emulation::SensorFormat;
+
+struct StreamCase {
+  SensorFormat format;
+  std::size_t first_frames_lost;  // Before the decoder knows where a frame begins.
+};
+
+std::unique_ptr<SensorStream> stream_for(SensorFormat format, std::size_t elements) {
+  if (format == SensorFormat::kAnySkin) return std::make_unique<AnySkinStream>(elements / 3);
+  if (format == SensorFormat::kNumberLine) return std::make_unique<NumberLineStream>(elements);
+  return std::make_unique<SensorFrameStream>(elements);
+}
+
+class SensorStreamTest : public ::testing::TestWithParam<StreamCase> {};
+
+TEST_P(SensorStreamTest, StatesThatNothingHasArrived) {
+  const auto stream = stream_for(GetParam().format, 3);
+  EXPECT_EQ(stream->time(), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(stream->device_time(), std::nullopt);
+  ASSERT_EQ(stream->values().size(), 3U);
+  for (const float value : stream->values()) EXPECT_TRUE(std::isnan(value));
+}
+
+TEST_P(SensorStreamTest, FollowsABoard) {
+  emulation::SensorBoard board({GetParam().format, 6, 100.0});
+  testing::EmulatedLine line(board);
+  const auto stream = stream_for(GetParam().format, 6);
+  std::vector<float> values(6);
+  for (int frame = 1; frame <= 300; ++frame) {
+    for (std::size_t i = 0; i < 6; ++i) values[i] = static_cast<float>(frame * (i % 2 ? 1 : -1));
+    board.set_values(values);
+    std::vector<std::uint8_t> bytes(300);
+    while (line.now() < frame * 0.01 - 1e-9) line.wait(frame * 0.01);
+    bytes.resize(line.read(0, bytes).value());
+    stream->receive(bytes, line.now());
+    if (frame > 1) {
+      ASSERT_EQ(std::vector<float>(stream->values().begin(), stream->values().end()), values);
+      ASSERT_EQ(stream->time(), line.now());
+    }
+  }
+  EXPECT_EQ(stream->frames(), 300 - GetParam().first_frames_lost);
+  EXPECT_EQ(stream->lost(), 0U);
+}
+
+TEST_P(SensorStreamTest, AllocatesNothing) {
+  if (!testing::counts_allocations()) GTEST_SKIP() << "this build does not count allocations";
+  emulation::SensorBoard board({GetParam().format, 45, 100.0});
+  std::vector<std::uint8_t> bytes;
+  board.advance(1.0, bytes);
+  bytes[500] ^= 1;
+  const auto stream = stream_for(GetParam().format, 45);
+  const testing::AllocationCounter allocations;
+  stream->receive(bytes, 1.0);
+  EXPECT_EQ(allocations.count(), 0U);
+  EXPECT_GE(stream->frames(), 90U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, SensorStreamTest,
+                         ::testing::Values(StreamCase{SensorFormat::kAnySkin, 1},
+                                           StreamCase{SensorFormat::kInt16Frame, 0},
+                                           StreamCase{SensorFormat::kFloat32Frame, 0},
+                                           StreamCase{SensorFormat::kNumberLine, 1}));
+
+}  // namespace
+}  // namespace somato::devices

@@ -1,0 +1,200 @@
+#include "maps/reading/winner_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/support/instruction_sets.h"
+#include "maps/support/random_maps.h"
+#include "maps/training/batch_training.h"
+#include "maps/training/som_reference.h"
+#include "somato/core/random.h"
+#include "somato/maps/som_training.h"
+
+namespace somato {
+namespace {
+
+Matrix<float> noise(std::size_t rows, std::size_t columns, double scale, Random& random) {
+  Matrix<float> values(rows, columns);
+  for (float& value : values.values()) value = static_cast<float>(scale * random.uniform());
+  return values;
+}
+
+// Samples around few points, so that most of the map is far from each.
+Matrix<float> clusters(std::size_t rows, std::size_t columns, Random& random) {
+  const Matrix<float> centres = noise(7, columns, 10.0, random);
+  Matrix<float> values(rows, columns);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto centre = centres.row(random.below(centres.rows()));
+    for (std::size_t d = 0; d < columns; ++d) {
+      values(i, d) = centre[d] + static_cast<float>(0.1 * random.normal());
+    }
+  }
+  return values;
+}
+
+SomParameters parameters_of(std::size_t rows, std::size_t columns, Similarity similarity) {
+  SomParameters parameters;
+  parameters.rows = rows;
+  parameters.columns = columns;
+  parameters.similarity = similarity;
+  parameters.normalize_input = false;
+  return parameters;
+}
+
+// The two best by plain loops in double precision.
+Winners obvious_winners(const Som& som, const SignalView& sample) {
+  const ReferenceSom reference(som.parameters(), [&] {
+    Matrix<double> weights(som.neurons(), som.input_size());
+    for (std::size_t k = 0; k < som.neurons(); ++k) {
+      for (std::size_t d = 0; d < som.input_size(); ++d) weights(k, d) = double{som.weight(k, d)};
+    }
+    return weights;
+  }());
+  std::vector<float> dense(sample.size);
+  write_dense(sample, dense);
+  const std::vector<double> input(dense.begin(), dense.end());
+  std::vector<std::pair<double, std::size_t>> scores;
+  const double sign = som.parameters().similarity == Similarity::kEuclidean ? 1.0 : -1.0;
+  for (std::size_t k = 0; k < som.neurons(); ++k) {
+    scores.emplace_back(sign * reference.score(input, k), k);
+  }
+  std::sort(scores.begin(), scores.end());
+  return {scores[0].second, scores[std::min<std::size_t>(1, scores.size() - 1)].second};
+}
+
+// One and two winners, on every instruction set and on one and three threads.
+void expect_obvious_winners(const Som& som, const Samples& samples, const std::string& what) {
+  std::vector<Winners> expected;
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    expected.push_back(obvious_winners(som, samples[i]));
+  }
+  testing::for_each_instruction_set([&](InstructionSet /*set*/) {
+    SomWorkspace workspace;
+    for (const std::size_t threads : {1U, 3U}) {
+      const auto one = WinnerSearch::find_all(som, samples, false, threads);
+      const auto two = WinnerSearch::find_all(som, samples, true, threads);
+      for (std::size_t i = 0; i < samples.count(); ++i) {
+        ASSERT_EQ(one[i].first, expected[i].first) << what << ", sample " << i;
+        ASSERT_EQ(two[i].first, expected[i].first) << what << ", sample " << i;
+        ASSERT_EQ(two[i].second, expected[i].second) << what << ", sample " << i;
+      }
+    }
+    for (std::size_t i = 0; i < samples.count(); i += 10) {
+      const Winners single = som.winners(samples[i], workspace);
+      ASSERT_EQ(single.first, expected[i].first) << what << ", sample " << i;
+      ASSERT_EQ(single.second, expected[i].second) << what << ", sample " << i;
+    }
+  });
+}
+
+TEST(WinnerSearchThreads, FindsTheTrueWinnersOfNoise) {
+  Random random(1);
+  for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
+    for (const std::size_t columns : {1U, 2U, 31U, 64U}) {
+      Matrix<float> weights = noise(15 * 13, columns, 1.0, random);
+      if (similarity == Similarity::kDotProduct) {
+        for (std::size_t k = 0; k < weights.rows(); ++k) normalize_length(weights.row(k));
+      }
+      const Som som(parameters_of(15, 13, similarity), weights);
+      expect_obvious_winners(som, Samples(noise(150, columns, 1.0, random)),
+                             choice_name(similarity) + " of " + std::to_string(columns));
+    }
+  }
+}
+
+// A smooth map, as training makes it: neighbours are nearly the same.
+TEST(WinnerSearchThreads, FindsTheTrueWinnersAmongNeighboursThatAreNearlyTheSame) {
+  Random random(2);
+  Matrix<float> weights(20 * 20, 12);
+  for (std::size_t k = 0; k < weights.rows(); ++k) {
+    for (std::size_t d = 0; d < weights.columns(); ++d) {
+      weights(k, d) = 0.5F + 1e-5F * static_cast<float>(k % 20 * d + k / 20 * (12 - d)) +
+                      1e-7F * static_cast<float>(random.uniform());
+    }
+  }
+  const Som som(parameters_of(20, 20, Similarity::kEuclidean), weights);
+  expect_obvious_winners(som, Samples(noise(200, 12, 1.0, random)), "a smooth map");
+}
+
+// All neurons have nearly the same distance from each sample, so that integers cannot distinguish
+// them.
+TEST(WinnerSearchThreads, FindsTheTrueWinnersAmongNeuronsThatAreNearlyAsFar) {
+  Random random(8);
+  constexpr std::size_t kColumns = 20;
+  Matrix<float> weights(10 * 10, kColumns);
+  for (std::size_t k = 0; k < weights.rows(); ++k) {
+    for (float& value : weights.row(k)) value = static_cast<float>(random.normal());
+    normalize_length(weights.row(k));
+    for (float& value : weights.row(k))
+      value *= 1.0F + 1e-5F * static_cast<float>(random.uniform());
+  }
+  const Som som(parameters_of(10, 10, Similarity::kEuclidean), weights);
+  expect_obvious_winners(som, Samples(noise(100, kColumns, 1e-4, random)), "a sphere");
+}
+
+TEST(WinnerSearchThreads, FindsTheTrueWinnersOfClustersWhileBlocksAreLeftOut) {
+  Random random(3);
+  const Samples samples(clusters(700, 9, random));
+  SomParameters parameters = parameters_of(30, 30, Similarity::kEuclidean);
+  parameters.training = Training::kBatch;
+  parameters.epochs = 4;
+  parameters.radius_start = 8.0;
+  const Som som = train_som(parameters, samples).value();
+  expect_obvious_winners(som, samples, "clusters");
+  expect_obvious_winners(som, Samples(clusters(100, 9, random)), "other clusters");
+}
+
+TEST(WinnerSearchThreads, TakesTheFirstOfEquals) {
+  Random random(4);
+  const Matrix<float> few = noise(3, 6, 1.0, random);
+  Matrix<float> weights(24 * 24, 6);
+  for (std::size_t k = 0; k < weights.rows(); ++k) {
+    const auto row = few.row(random.below(few.rows()));
+    std::copy(row.begin(), row.end(), weights.row(k).begin());
+  }
+  const Samples samples(noise(70, 6, 1.0, random));
+  expect_obvious_winners(Som(parameters_of(24, 24, Similarity::kEuclidean), weights), samples,
+                         "three kinds of neurons");
+  const Matrix<float> alike(24 * 24, 6, 0.25F);
+  expect_obvious_winners(Som(parameters_of(24, 24, Similarity::kEuclidean), alike), samples,
+                         "one kind of neuron");
+}
+
+TEST(WinnerSearchThreads, FindsTheTrueWinnersAtAnyScaleAndDistance) {
+  Random random(5);
+  for (const double scale : {1e-14, 1e-3, 1e6, 1e15}) {
+    const Som som(parameters_of(10, 10, Similarity::kEuclidean), noise(100, 8, scale, random));
+    expect_obvious_winners(som, Samples(noise(80, 8, scale, random)), "scale");
+    expect_obvious_winners(som, Samples(noise(80, 8, 1000.0 * scale, random)), "far samples");
+    expect_obvious_winners(som, Samples(noise(80, 8, 0.001 * scale, random)), "near zero");
+  }
+}
+
+TEST(WinnerSearchThreads, OneOutlierDoesNotHideTheOthers) {
+  Random random(6);
+  Matrix<float> weights = noise(12 * 12, 10, 1.0, random);
+  for (float& value : weights.row(77)) value = 1e7F;
+  Matrix<float> samples = noise(100, 10, 1.0, random);
+  for (float& value : samples.row(5)) value = -1e7F;
+  expect_obvious_winners(Som(parameters_of(12, 12, Similarity::kEuclidean), weights),
+                         Samples(std::move(samples)), "outliers");
+}
+
+TEST(WinnerSearch, SeesSamplesAsTheMapDoes) {
+  Random random(7);
+  SomParameters parameters = parameters_of(6, 6, Similarity::kEuclidean);
+  parameters.normalize_input = true;
+  const Som som(parameters, noise(36, 5, 1.0, random));
+  const Samples samples(noise(80, 5, 3.0, random));
+  const auto winners = winners_of(som, samples, 2);
+  SomWorkspace workspace;
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    EXPECT_EQ(winners[i], som.winner(samples[i], workspace));
+  }
+}
+
+}  // namespace
+}  // namespace somato

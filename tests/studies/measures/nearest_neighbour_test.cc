@@ -1,0 +1,81 @@
+#include "studies/measures/nearest_neighbour.h"
+
+#include <gtest/gtest.h>
+
+#include "maps/support/random_maps.h"
+#include "somato/core/check.h"
+#include "somato/core/random.h"
+
+namespace somato {
+namespace {
+
+using Numbers = std::vector<std::size_t>;
+
+// On a line, so that distances can be seen: samples at 0, 4, 5, 9.
+const Samples kLine(Matrix<float>(4, 1, {0, 4, 5, 9}));
+
+TEST(NearestNeighbour, IsTheNearest) {
+  EXPECT_EQ(nearest_neighbour(kLine, {0, 2, 3}, 1), 2U);
+  EXPECT_EQ(nearest_neighbour(kLine, {0, 1, 2}, 3), 2U);
+}
+
+TEST(NearestNeighbour, LooksAtTrainingSamplesOnly) {
+  EXPECT_EQ(nearest_neighbour(kLine, {0, 3}, 1), 0U);
+  EXPECT_EQ(nearest_neighbour(kLine, {0, 1, 2, 3}, 1), 1U);
+}
+
+TEST(NearestNeighbour, IsTheFirstOfEquals) {
+  const Samples samples(Matrix<float>(3, 1, {2, 0, 1}));
+  EXPECT_EQ(nearest_neighbour(samples, {0, 1}, 2), 0U);
+  EXPECT_EQ(nearest_neighbour(samples, {1, 0}, 2), 1U);
+}
+
+TEST(NearestNeighbour, NeedsTrainingSamples) {
+  EXPECT_THROW((void)nearest_neighbour(kLine, {}, 1), InvalidArgument);
+}
+
+// All distances written out, the least one looked for.
+std::size_t oracle(const Samples& samples, const Numbers& training, std::size_t test) {
+  std::vector<std::vector<double>> rows;
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    std::vector<float> row(samples.size());
+    write_dense(samples[i], row);
+    rows.emplace_back(row.begin(), row.end());
+  }
+  std::vector<double> distances;
+  for (const std::size_t candidate : training) {
+    double sum = 0.0;
+    for (std::size_t d = 0; d < samples.size(); ++d) {
+      sum += (rows[candidate][d] - rows[test][d]) * (rows[candidate][d] - rows[test][d]);
+    }
+    distances.push_back(sum);
+  }
+  const auto least = std::min_element(distances.begin(), distances.end());
+  return training[static_cast<std::size_t>(least - distances.begin())];
+}
+
+void compare_with_oracle(bool sparse) {
+  Random random(sparse ? 1 : 2);
+  for (int problem = 0; problem < 200; ++problem) {
+    const std::size_t count = 2 + random.below(10);
+    const Samples samples = testing::random_samples(count, 1 + random.below(12), sparse, random);
+    Numbers numbers(count);
+    for (std::size_t i = 0; i < count; ++i) numbers[i] = i;
+    for (std::size_t test = 0; test < count; ++test) {
+      Numbers training = numbers;
+      training.erase(training.begin() + static_cast<std::ptrdiff_t>(test));
+      ASSERT_EQ(nearest_neighbour(samples, training, test), oracle(samples, training, test));
+    }
+  }
+}
+
+TEST(NearestNeighbour, AgreesWithAllDistancesWrittenOut) {
+  compare_with_oracle(false);
+}
+
+TEST(NearestNeighbour, AgreesOnSparseSamples) {
+  compare_with_oracle(true);
+}
+
+}  // namespace
+}  // namespace somato

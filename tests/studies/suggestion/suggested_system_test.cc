@@ -1,0 +1,64 @@
+#include "studies/suggestion/suggested_system.h"
+
+#include <gtest/gtest.h>
+
+#include "studies/support/made_senses.h"
+
+namespace somato {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// The scaled last frame of a channel.
+CandidateGroup group_of(const std::string& channel, const Recording& recording,
+                        std::size_t number) {
+  CandidateGroup group{
+      {number}, {channel_source(channel, recording.explorations[0].channels[number])}, {}};
+  group.sources[0].modules.push_back(
+      channel_source("unused", recording.explorations[0].channels[0]).modules[0]);
+  FrameFacts facts;
+  facts.most_frames = 1;
+  group.candidates.push_back(
+      {0, codes_of(group.sources[0], facts)[0], Scaling::kUnit, 3, 4.0, {}, 1.0, {}});
+  return group;
+}
+
+Names names_of(const SystemDescription& system) {
+  Names names;
+  for (const ModuleDescription& module : system.modules) names.push_back(module.name);
+  return names;
+}
+
+Value setting_of(const ModuleDescription& module, const std::string& key) {
+  return std::get<Value>(module.settings.find(key)->content);
+}
+
+TEST(SuggestedSystem, ASinglePartIsTheInputOfTheMap) {
+  const Recording recording = testing::made_senses(2, 2, {{"touch", {0, 1}}});
+  const std::vector<CandidateGroup> groups{group_of("touch", recording, 0)};
+  Suggestion suggestion;
+  suggestion.explorations = 4;
+  suggestion.parts = {{0, 0, 1.0, 0.5, 0.1}};
+  const auto system = system_of(suggestion, groups);
+  EXPECT_EQ(names_of(system), (Names{"touch", "last_of_touch", "unit_last_of_touch", "map"}));
+  EXPECT_EQ(setting_of(system.modules.back(), "rows"), Value{std::int64_t{15}});
+}
+
+TEST(SuggestedSystem, SeveralPartsAreScaledAndConcatenated) {
+  const Recording recording = testing::made_senses(2, 2, {{"touch", {0, 1}}, {"joints", {0, 1}}});
+  const std::vector<CandidateGroup> groups{group_of("touch", recording, 0),
+                                           group_of("joints", recording, 1)};
+  Suggestion suggestion;
+  suggestion.explorations = 1000;  // 2000 neurons would have a side of 45
+  suggestion.parts = {{1, 0, 1.0, 0.123456, 0.1}, {0, 0, 2.0, 1.0, 0.1}};
+  const auto system = system_of(suggestion, groups);
+  EXPECT_EQ(names_of(system),
+            (Names{"joints", "last_of_joints", "unit_last_of_joints", "part_of_unit_last_of_joints",
+                   "touch", "last_of_touch", "unit_last_of_touch", "part_of_unit_last_of_touch",
+                   "vector", "map"}));
+  EXPECT_EQ(setting_of(system.modules[3], "factor"), Value{0.1234});
+  EXPECT_EQ(setting_of(system.modules.back(), "columns"), Value{std::int64_t{40}});
+}
+
+}  // namespace
+}  // namespace somato

@@ -1,0 +1,48 @@
+#include "studies/suggestion/views.h"
+
+#include <gtest/gtest.h>
+
+#include "studies/support/made_senses.h"
+
+namespace somato {
+namespace {
+
+using FloatValues = std::vector<float>;
+
+FloatValues seen(const FloatValues& frames, View view) {
+  const Recording recording = seen_in(testing::frames_as_given("touch", {frames}), view);
+  const auto values = recording.explorations.front().channels.front().frames.values();
+  return {values.begin(), values.end()};
+}
+
+TEST(Views, SelectHalfOfTheFrames) {
+  const FloatValues even{1, 2, 3, 4};
+  EXPECT_EQ(seen(even, View::kWhole), even);
+  EXPECT_EQ(seen(even, View::kOdd), (FloatValues{1, 3}));
+  EXPECT_EQ(seen(even, View::kEven), (FloatValues{2, 4}));
+  EXPECT_EQ(seen(even, View::kFirst), (FloatValues{1, 2}));
+  EXPECT_EQ(seen(even, View::kSecond), (FloatValues{3, 4}));
+}
+
+TEST(Views, BothHalvesHaveTheFrameInTheMiddle) {
+  EXPECT_EQ(seen({1, 2, 3}, View::kFirst), (FloatValues{1, 2}));
+  EXPECT_EQ(seen({1, 2, 3}, View::kSecond), (FloatValues{2, 3}));
+  EXPECT_EQ(seen({1, 2, 3}, View::kEven), (FloatValues{2}));
+}
+
+TEST(Views, ASingleFrameBelongsToAll) {
+  for (const View view : kAllViews) EXPECT_EQ(seen({7}, view), (FloatValues{7}));
+}
+
+TEST(Views, KeepTheRateAndRemoveLabelsAndTimes) {
+  Recording recording = testing::frames_as_given("touch", {{1, 2, 3, 4}});
+  recording.explorations.front().labels = {{"object", "cup"}};
+  recording.explorations.front().channels.front().times = {0.0, 0.1, 0.2, 0.3};
+  const Exploration half = seen_in(recording, View::kOdd).explorations.front();
+  EXPECT_TRUE(half.labels.empty());
+  EXPECT_TRUE(half.channels.front().times.empty());
+  EXPECT_NEAR(half.channels.front().rate, 10.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace somato
