@@ -2,8 +2,8 @@
 // large one.
 
 import type { GridData } from "../src/parts/data";
-import type { ClaimReport, CurveReport, ReportData, SystemReport } from "../src/report/unpacked";
-import { emptySystem } from "../src/report/read";
+import type { ClaimReport, CurveReport, ReportData, SystemReport } from "../src/report/page/unpacked";
+import { emptySystem } from "../src/report/page/read";
 import {
   clusteredRun,
   kObjects,

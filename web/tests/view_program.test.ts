@@ -10,7 +10,7 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 
-import { parsed, sequenceColour } from "../src/parts/colour_maps";
+import { parsed, sequenceColour } from "../src/parts/maps/colour_maps";
 import { digits } from "../src/parts/numbers";
 import { output, somato } from "./program";
 import {

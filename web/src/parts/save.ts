@@ -9,7 +9,7 @@
 
 import { element } from "./dom";
 import { fontSheet, kFontFamily } from "./font";
-import { pixelPaths } from "./painter";
+import { pixelPaths } from "./maps/painter";
 import { withText } from "./png_text";
 import { shape, text, textWidth } from "./svg";
 

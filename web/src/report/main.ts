@@ -5,9 +5,9 @@ import "./report.css";
 
 import { element } from "../parts/dom";
 import { themeButton } from "../parts/theme";
-import { drawAllForPrint } from "./lazy";
-import { reportPage } from "./page";
-import { readReport } from "./read";
+import { drawAllForPrint } from "./page/lazy";
+import { reportPage } from "./page/page";
+import { readReport } from "./page/read";
 
 function start(): void {
   const place = document.getElementById("report");

@@ -2,15 +2,15 @@ import "uplot/dist/uPlot.min.css";
 import "../parts/style.css";
 import "./view.css";
 
-import { Connection } from "./connection";
+import { Connection } from "./session/connection";
 import type { Frame, Training } from "./data";
-import { FrameLoop } from "./frame_loop";
-import { Model } from "./model";
-import { buildPage } from "./page";
-import { beginPicture, isPicture } from "./picture";
-import { Server } from "./server";
-import { watchTheme } from "./theme_colours";
-import { takeToken } from "./token";
+import { FrameLoop } from "./session/frame_loop";
+import { Model } from "./session/model";
+import { buildPage } from "./page/page";
+import { beginPicture, isPicture } from "./page/picture";
+import { Server } from "./session/server";
+import { watchTheme } from "./page/theme_colours";
+import { takeToken } from "./session/token";
 
 const root = document.getElementById("view");
 if (root !== null) start(root);

@@ -8,8 +8,8 @@ import {
   parsed,
   sequenceColour,
   type Colour,
-} from "../../src/parts/colour_maps";
-import { markerPath, markerShape } from "../../src/parts/markers";
+} from "../../src/parts/maps/colour_maps";
+import { markerPath, markerShape } from "../../src/parts/maps/markers";
 
 const shares = Array.from({ length: 101 }, (_, i) => i / 100);
 const lightnessOf = (text: string) => lightness(parsed(text));

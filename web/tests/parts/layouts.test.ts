@@ -2,9 +2,9 @@ import { describe, expect, test } from "vitest";
 
 import type { ModuleData } from "../../src/parts/data";
 import { graphLayout } from "../../src/parts/graph_layout";
-import { gridLayout, handLayout, rowSizes } from "../../src/parts/hand_layout";
-import { nearestTowards } from "../../src/parts/towards";
-import { hull } from "../../src/parts/thing_picture";
+import { gridLayout, handLayout, rowSizes } from "../../src/parts/hands/hand_layout";
+import { nearestTowards } from "../../src/parts/hands/towards";
+import { hull } from "../../src/parts/hands/thing_picture";
 import { reportFixture } from "../report_fixture";
 import { randomNumbers } from "../report_runs";
 import { touchElements } from "../report_things";

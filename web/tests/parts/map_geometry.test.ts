@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 
-import { areasOf } from "../../src/parts/areas";
+import { areasOf } from "../../src/parts/maps/areas";
 import type { GridData } from "../../src/parts/data";
 import {
   borders,
@@ -12,7 +12,7 @@ import {
   squaredDistance,
   stepFrom,
   widthOf,
-} from "../../src/parts/grid";
+} from "../../src/parts/maps/grid";
 
 const grids: GridData[] = (["rectangular", "hexagonal"] as const).flatMap((lattice) =>
   (["plane", "torus"] as const).map((topology) => ({ rows: 4, columns: 5, lattice, topology })),

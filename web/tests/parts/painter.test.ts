@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 
-import { parsed, sequenceColour } from "../../src/parts/colour_maps";
-import { painter, pixel, pixelRamp, pixelsOf, ramp, scaled } from "../../src/parts/painter";
+import { parsed, sequenceColour } from "../../src/parts/maps/colour_maps";
+import { painter, pixel, pixelRamp, pixelsOf, ramp, scaled } from "../../src/parts/maps/painter";
 
 describe("a ramp", () => {
   test("takes the nearest of its steps; shares outside count as the ends, no number as 0", () => {

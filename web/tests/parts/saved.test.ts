@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 
 import { latex } from "../../src/parts/latex";
 import { checksum, withText } from "../../src/parts/png_text";
-import { unpacked } from "../../src/report/unpacked";
+import { unpacked } from "../../src/report/page/unpacked";
 
 test("every character of a LaTeX table stands for itself", () => {
   const rows = [
@@ -36,7 +36,7 @@ test("texts of a PNG stand after its header, with the checksum of the PNG specif
 });
 
 test("packed numbers are those of the schema", () => {
-  // -1, 0, 1 and a missing number, as in tests/report/packed_json_test.cc.
+  // -1, 0, 1 and a missing number, as in tests/views/report/packed_json_test.cc.
   const wide = { bits: 16, low: -1, high: 1, packed: "AAD/f/7///8=" };
   expect(unpacked({ deep: [wide] })).toEqual({ deep: [[-1, 0, 1, Number.NaN]] });
   const narrow = { columns: 2, bits: 8, low: -1, high: 1, packed: "AH/+/w==" };

@@ -2,22 +2,22 @@
 
 import { describe, expect, test } from "vitest";
 
-import { hex, lightness, parsed } from "../../src/parts/colour_maps";
-import { kRest, roundNumber, touchColour } from "../../src/parts/touch_colours";
+import { hex, lightness, parsed } from "../../src/parts/maps/colour_maps";
+import { kRest, roundNumber, touchColour } from "../../src/parts/hands/touch_colours";
 import type { Frame, Strips } from "../../src/view/data";
-import { DrawingBudget } from "../../src/view/drawing_budget";
-import { ForceScale } from "../../src/view/force_scale";
-import { fingerGroups } from "../../src/view/finger_groups";
-import { gapsOf } from "../../src/view/gaps";
-import { geometryOf } from "../../src/view/geometry";
-import { History } from "../../src/view/history";
-import { describe as describeLabels } from "../../src/view/labels";
-import { mostOften } from "../../src/view/most_often";
-import { padNormals } from "../../src/view/pad_normals";
-import { PoseMotion } from "../../src/view/pose_motion";
-import { spectrumAxis } from "../../src/view/spectrum_axis";
-import { TrainingPast } from "../../src/view/training_past";
-import { truthOf } from "../../src/view/truth";
+import { DrawingBudget } from "../../src/view/session/drawing_budget";
+import { ForceScale } from "../../src/view/scene/force_scale";
+import { fingerGroups } from "../../src/view/scene/finger_groups";
+import { gapsOf } from "../../src/view/strips/gaps";
+import { geometryOf } from "../../src/view/scene/geometry";
+import { History } from "../../src/view/strips/history";
+import { describe as describeLabels } from "../../src/view/page/labels";
+import { mostOften } from "../../src/view/systems/most_often";
+import { padNormals } from "../../src/view/scene/pad_normals";
+import { PoseMotion } from "../../src/view/scene/pose_motion";
+import { spectrumAxis } from "../../src/view/strips/spectrum_axis";
+import { TrainingPast } from "../../src/view/systems/training_past";
+import { truthOf } from "../../src/view/naming/truth";
 import { bodyState, fakeFrame, fakeState, fakeTraining, kFrames } from "../fake_frames";
 import { fakePoses, fakeScene, kTaxels, kThings } from "../fake_hand";
 

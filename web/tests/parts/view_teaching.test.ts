@@ -3,9 +3,9 @@
 import { describe, expect, test } from "vitest";
 
 import type { State, Taught } from "../../src/view/data";
-import { originWords, taughtFrom, taughtWords } from "../../src/view/taught";
-import { truthOf } from "../../src/view/truth";
-import { verdictOf } from "../../src/view/verdict";
+import { originWords, taughtFrom, taughtWords } from "../../src/view/naming/taught";
+import { truthOf } from "../../src/view/naming/truth";
+import { verdictOf } from "../../src/view/naming/verdict";
 import { fakeFrame, fakeState, unknownFrame } from "../fake_frames";
 
 const kTaught: Taught = { exploration: 4, name: "cup", before: "unknown", neuron: 17, problem: null };

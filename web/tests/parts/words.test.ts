@@ -6,7 +6,7 @@ import { fileURLToPath } from "node:url";
 
 import { expect, test } from "vitest";
 
-import { isShare, metricName, metricRange, splitMetric } from "../../src/report/words";
+import { isShare, metricName, metricRange, splitMetric } from "../../src/report/page/words";
 
 const kSource = process.env["SOMATO_SOURCE"] ?? fileURLToPath(new URL("../../..", import.meta.url));
 const kReference = join(kSource, "docs/reference/results.md");

@@ -1,0 +1,121 @@
+// The first screen: what came out in one sentence, the best map beside the hand and its objects,
+// all maps, and the table of systems.
+
+import { element, fill, type Child } from "../../parts/dom";
+import { handLayout } from "../../parts/hands/hand_layout";
+import { handMap } from "../../parts/hands/hand_map";
+import { labelsPicture } from "../../parts/maps/map_labels";
+import { capital, countOf } from "../../parts/numbers";
+import { figure } from "../../parts/figure";
+import { commonScale, thingPicture } from "../../parts/hands/thing_picture";
+import { fitting } from "./fitting";
+import { galleryOf } from "../tables/gallery";
+import { groupsOf, questionsOf } from "./groups";
+import { bestSystem, isOfHand, originals, summaryOf } from "../tables/main_results";
+import { shownBySelection } from "./origin";
+import { readingColours } from "../moments/reading_colours";
+import { Selection } from "./selection";
+import { winnersOf } from "../maps/system_map";
+import { systemsFigure } from "../tables/systems_table";
+import type { MomentChannel, ReportData, SystemReport } from "./unpacked";
+import { systemName } from "./words";
+
+export function overviewSection(data: ReportData): HTMLElement {
+  const groups = groupsOf(data);
+  const best = bestSystem(originals(data));
+  const standing = groups.flatMap(({ systems }) => systems);
+  return element("section", { id: "overview", class: "overview", "aria-label": "Overview" }, [
+    element("header", { class: "title" }, [
+      element("h1", {}, [titleOf(data)]),
+      element("p", { class: "summary" }, [summaryOf(originals(data))]),
+    ]),
+    data.systems.length === 0
+      ? element("p", { class: "message" }, [
+          "No results were given. Name one or more results.json: somato report RESULTS.json -o report.html",
+        ])
+      : null,
+    best ? hero(best, galleryOf(groups)) : null,
+    standing.length > 0 ? systemsFigure(standing, data, "systems") : null,
+  ]);
+}
+
+export function titleOf(data: ReportData): string {
+  const groups = groupsOf(data);
+  const questions = questionsOf(data);
+  const [first] = groups;
+  if (groups.length === 1 && first && questions.length === 0) return first.name;
+  if (groups.length === 0 && questions.length === 1) return questions[0]?.name ?? "";
+  const counts = [
+    ...(groups.length > 0 ? [countOf(groups.length, "system")] : []),
+    ...(questions.length > 0 ? [countOf(questions.length, "question")] : []),
+  ];
+  return counts.length === 0 ? "Results" : `Results of ${counts.join(" and ")}`;
+}
+
+function hero(best: SystemReport, gallery: Child): HTMLElement {
+  return element("div", { class: isOfHand(best) ? "hero" : "hero without-hand" }, [
+    bestMap(best),
+    element("div", { class: "hero-body" }, [handOf(best), thingsOf(best)]),
+    gallery,
+  ]);
+}
+
+const kMapSize = 384;
+
+function bestMap(system: SystemReport): Child {
+  const selection = new Selection(system);
+  const { protocol, run, label, grid } = selection;
+  const winners = protocol && run ? winnersOf(system, protocol, run, label) : null;
+  if (!grid || !winners) return null;
+  const shown = shownBySelection(selection);
+  const picture = labelsPicture(grid, { ...winners, label: `Map of ${systemName(system)}`, size: fitting(kMapSize) });
+  return figure({
+    title: `Map of ${systemName(system)}`,
+    file: "overview-map",
+    body: picture.element,
+    picture: () => picture.svg,
+    numbers: () => ({
+      columns: ["sample", "winner", "class"],
+      rows: winners.winners.map((winner, i) => [i + 1, winner + 1, winners.names[winners.classes[i] ?? 0] ?? ""]),
+    }),
+    about: () => shown,
+    note: `${shown.words}. Each marker is a sample at the neuron that wins it.`,
+  });
+}
+
+/** The exploration with the greatest contact, at the moment of it; null without elements on a hand. */
+function handOf(system: SystemReport): Child {
+  const onHand = (one: MomentChannel) => handLayout(one.channel.elements) !== null;
+  const moments = system.moments.filter((one) => one !== null);
+  const shown = moments.flatMap((moment) => {
+    const all = moment.channels.filter(onHand);
+    const of = all.find(({ channel }) => channel.name === "touch") ?? all[0];
+    return of ? [{ moment, of, contact: of.values.reduce((sum: number, value) => sum + (value ?? 0), 0) }] : [];
+  });
+  const [first] = shown.sort((one, other) => other.contact - one.contact);
+  if (!first) return null;
+  const { moment, of } = first;
+  const name = Object.values(moment.labels)[0] ?? "";
+  const { colour, range } = readingColours(of);
+  const picture = handMap(of.channel, { label: `${of.channel.name} at ${name}`, unit: of.channel.unit, size: 250, colour });
+  picture.setValues(of.values, range);
+  return element("div", { class: "hero-hand" }, [
+    picture.element,
+    element("p", { class: "small muted" }, [`${capital(of.channel.name)} of the hand while it explores ${name.replaceAll("_", " ")}, at the moment of greatest contact`]),
+  ]);
+}
+
+const kThingSize = 56;
+
+function thingsOf({ things }: SystemReport): Child {
+  const shown = things.filter(({ shape, material, colour }) => shape !== null || material !== "" || colour !== null);
+  if (shown.length === 0) return null;
+  const scale = commonScale(shown, kThingSize);
+  const items = shown.map((thing) => {
+    const picture = thingPicture(thing, scale);
+    return element("li", {}, [picture, element("span", {}, [thing.name.replaceAll("_", " ")])]);
+  });
+  const list = element("ul", { class: "hero-things", "aria-label": "Explored things" });
+  fill(list, items);
+  return list;
+}

@@ -1,0 +1,82 @@
+// Requests and commands from the page to the program.
+
+import type { Answers, Command, NeuronAnswer, Scene, Strips, TaxelAnswer } from "../data";
+
+/** An error, with a message for the page. */
+export class Refused extends Error {
+  constructor(
+    message: string,
+    readonly status: number,
+  ) {
+    super(message);
+  }
+}
+
+export class Server {
+  constructor(private readonly token: string) {}
+
+  events(): EventSource {
+    return new EventSource(`api/events?token=${encodeURIComponent(this.token)}`);
+  }
+
+  /** The HTTP status of the stream of events, or 0 without a response. */
+  async status(): Promise<number> {
+    const end = new AbortController();
+    try {
+      return (await this.fetch("api/events", { signal: end.signal })).status;
+    } catch {
+      return 0;
+    } finally {
+      end.abort();
+    }
+  }
+
+  scene(): Promise<Scene | null> {
+    return this.get("scene");
+  }
+
+  strips(): Promise<Strips | null> {
+    return this.get("strips");
+  }
+
+  neuron(map: string, neuron: number): Promise<NeuronAnswer> {
+    return this.get("neuron", `?map=${encodeURIComponent(map)}&neuron=${neuron}`);
+  }
+
+  taxel(element: number): Promise<TaxelAnswer> {
+    return this.get("taxel", `?element=${element}`);
+  }
+
+  async command(command: Command): Promise<void> {
+    const headers = { "Content-Type": "application/json" };
+    const body = JSON.stringify(command);
+    await answerOf(await this.fetch("api/command", { method: "POST", headers, body }));
+  }
+
+  /** The recording of the session, or the selected system. */
+  async file(name: "recording" | "system"): Promise<Blob> {
+    const response = await this.fetch(`api/${name}`, {});
+    return response.ok ? response.blob() : ((await answerOf(response)) as never);
+  }
+
+  private async get<Name extends keyof Answers>(name: Name, query = ""): Promise<Answers[Name]> {
+    return (await answerOf(await this.fetch(`api/${name}${query}`, {}))) as Answers[Name];
+  }
+
+  private fetch(path: string, options: RequestInit): Promise<Response> {
+    const headers = { ...options.headers, "X-Somato-Token": this.token };
+    return fetch(path, { ...options, headers, cache: "no-store" });
+  }
+}
+
+async function answerOf(response: Response): Promise<unknown> {
+  const answer: unknown = await response.json().catch(() => undefined);
+  const problem = problemOf(answer);
+  if (response.ok && problem === null && answer !== undefined) return answer;
+  throw new Refused(problem ?? `The program responded with status ${response.status}`, response.status);
+}
+
+function problemOf(answer: unknown): string | null {
+  if (typeof answer !== "object" || answer === null || !("error" in answer)) return null;
+  return typeof answer.error === "string" ? answer.error : "The program refused the command";
+}

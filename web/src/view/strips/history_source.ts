@@ -1,0 +1,43 @@
+// Requests the earlier history from the program: when it begins, and again after frames were missed,
+// but not with each frame of a page that draws slowly.
+
+import type { History } from "./history";
+import type { Server } from "../session/server";
+
+const kPause = 2000; // ms, between two requests for the same history
+
+export class HistorySource {
+  private requesting = false;
+  private requested = { beginnings: -1, time: 0 };
+  private timer = 0;
+
+  constructor(
+    private readonly server: Server,
+    private readonly history: History,
+    private readonly taken: () => void,
+  ) {}
+
+  /** Called for each frame. */
+  look(): void {
+    if (this.requesting || !this.history.isLacking) return;
+    window.clearTimeout(this.timer);
+    const { beginnings, time } = this.requested;
+    const wait = beginnings === this.history.beginnings ? time + kPause - performance.now() : 0;
+    if (wait > 0) this.timer = window.setTimeout(() => this.look(), wait);
+    else void this.ask();
+  }
+
+  /** A reply for another exploration is ignored: its frame is on its way. */
+  private async ask(): Promise<void> {
+    this.requesting = true;
+    this.requested = { beginnings: this.history.beginnings, time: performance.now() };
+    try {
+      const strips = await this.server.strips();
+      if (strips !== null && this.history.take(strips)) this.taken();
+    } catch {
+      this.history.doWithout();
+    } finally {
+      this.requesting = false;
+    }
+  }
+}
