@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -21,12 +22,6 @@
 namespace somato::program {
 namespace {
 
-constexpr const char* kCsv = "csv";
-constexpr const char* kMcap = "mcap";
-constexpr const char* kBag = "bag";
-constexpr const char* kYarp = "yarp";
-constexpr const char* kWav = "wav";
-
 // A recording and an additional message.
 struct Imported {
   Recording recording;
@@ -37,17 +32,7 @@ Imported without_remark(Recording recording) {
   return {std::move(recording), {}};
 }
 
-std::vector<std::string> formats() {
-  std::vector<std::string> names;
-  names.reserve(Choices<RecordingFormat>::all().size() + 5);
-  for (const auto& [format, name] : Choices<RecordingFormat>::all()) names.push_back(name);
-  names.emplace_back(kCsv);
-  names.emplace_back(kMcap);
-  names.emplace_back(kBag);
-  names.emplace_back(kYarp);
-  names.emplace_back(kWav);
-  return names;
-}
+std::vector<std::string> formats();
 
 // "touch:counts=taxel1..taxel16+Fz", where the unit is optional.
 Result<CsvChannel> channel_of(const std::string& text) {
@@ -193,15 +178,6 @@ Result<Imported> import_named(const Arguments& arguments) {
   return fail(unknown_name("format", name, "FORMAT", formats()));
 }
 
-Result<Imported> import(const Arguments& arguments) {
-  const std::string& format = arguments.text("FORMAT");
-  if (format == kCsv) return import_csv(arguments);
-  if (format == kYarp) return import_yarp(arguments);
-  if (format == kWav) return import_described(arguments, import_wav_trials);
-  if (format == kMcap) return import_described(arguments, import_mcap_trials);
-  return import_named(arguments);
-}
-
 std::string summary(const Exploration& first, std::size_t explorations) {
   std::vector<std::string> labels;
   labels.reserve(first.labels.size());
@@ -265,16 +241,46 @@ Result<void> run_bag_import(const Arguments& arguments) {
   return {};
 }
 
-Result<void> run_import(const Arguments& arguments) {
-  if (arguments.text("FORMAT") == kBag) return run_bag_import(arguments);
-  SOMATO_TRY(const auto imported, import(arguments));
+Result<void> write_imported(const Arguments& arguments, Result<Imported> imported) {
+  if (!imported) return fail(std::move(imported.error()));
   const std::string path = arguments.text("output");
-  SOMATO_TRY_VOID(write_recording(path, imported.recording));
+  SOMATO_TRY_VOID(write_recording(path, imported->recording));
   print_summary(fmt::format(
       "{}: {}\n{}", path,
-      summary(imported.recording.explorations.front(), imported.recording.explorations.size()),
-      imported.remark));
+      summary(imported->recording.explorations.front(), imported->recording.explorations.size()),
+      imported->remark));
   return {};
+}
+
+// A format that a description completes; data sets need none.
+struct DescribedFormat {
+  const char* name;
+  Result<void> (*run)(const Arguments& arguments);
+};
+
+constexpr DescribedFormat kDescribed[] = {
+    {"csv", [](const Arguments& a) { return write_imported(a, import_csv(a)); }},
+    {"mcap",
+     [](const Arguments& a) { return write_imported(a, import_described(a, import_mcap_trials)); }},
+    {"bag", run_bag_import},
+    {"yarp", [](const Arguments& a) { return write_imported(a, import_yarp(a)); }},
+    {"wav",
+     [](const Arguments& a) { return write_imported(a, import_described(a, import_wav_trials)); }},
+};
+
+std::vector<std::string> formats() {
+  std::vector<std::string> names;
+  names.reserve(Choices<RecordingFormat>::all().size() + std::size(kDescribed));
+  for (const auto& [format, name] : Choices<RecordingFormat>::all()) names.push_back(name);
+  for (const DescribedFormat& format : kDescribed) names.emplace_back(format.name);
+  return names;
+}
+
+Result<void> run_import(const Arguments& arguments) {
+  for (const DescribedFormat& format : kDescribed) {
+    if (arguments.text("FORMAT") == format.name) return format.run(arguments);
+  }
+  return write_imported(arguments, import_named(arguments));
 }
 
 // The parameters of both descriptions; those of the same name mean the same, except for labels.

@@ -66,10 +66,10 @@ Result<DeviceFile> one_servo(const DeviceFile& file, std::string_view name) {
   }
   if (one.servos.empty()) return fail(unknown_name("servo", name, file.settings.name, known));
   ServoSettings& servo = one.servos.front();
-  const auto [low, high] = reach(one.servo_line->bus);
+  const BusTraits& bus = traits_of(one.servo_line->bus);
   const double resting = servo.resting();
-  servo.least = std::min(servo.from_bus(low), servo.from_bus(high));
-  servo.most = std::max(servo.from_bus(low), servo.from_bus(high));
+  servo.least = std::min(servo.from_bus(bus.lowest), servo.from_bus(bus.highest));
+  servo.most = std::max(servo.from_bus(bus.lowest), servo.from_bus(bus.highest));
   servo.rest = std::clamp(resting, servo.least, servo.most);
   constexpr double kSeconds = 20.0;  // For the whole way, so that a hand can be withdrawn.
   servo.fastest = std::min(servo.fastest, (servo.most - servo.least) / kSeconds);

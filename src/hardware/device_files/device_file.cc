@@ -22,10 +22,6 @@ Result<void> check_present(const Table& table, std::string_view key, std::string
   return refuse(fmt::format("'{}' is missing", key), table.where, std::move(advice));
 }
 
-std::size_t channels(BusKind bus) {
-  return bus == BusKind::kSsc32 ? 32 : 253;
-}
-
 // "touch_1..3" stands for touch_1, touch_2 and touch_3.
 Result<void> expand(const std::string& name, const std::string& where,
                     std::vector<std::string>& names) {
@@ -213,24 +209,25 @@ class Reader {
   }
 
   Result<void> check_reach(const ServoSettings& servo, const std::string& where) const {
-    const auto [low, high] = reach(device_.servo_line->bus);
+    const BusTraits& bus = traits_of(device_.servo_line->bus);
     if (servo.scale == 0.0)
       return refuse("'scale' must not be 0", where, "give the change on the bus per unit");
     for (const double limit : {servo.least, servo.most}) {
       const double position = servo.on_bus(limit);
-      if (position >= low && position <= high) continue;
+      if (position >= bus.lowest && position <= bus.highest) continue;
       return refuse(
           fmt::format("the limit {:g} {} is {:g} on the bus, which goes from {:g} to {:g}", limit,
-                      servo.unit, position, low, high),
+                      servo.unit, position, bus.lowest, bus.highest),
           where, "correct zero and scale, or narrow the limits");
     }
     return {};
   }
 
   Result<void> check_channel(const ServoSettings& servo, const std::string& where) const {
-    if (servo.channel >= channels(device_.servo_line->bus)) {
+    const std::size_t channels = traits_of(device_.servo_line->bus).channels;
+    if (servo.channel >= channels) {
       return refuse(fmt::format("the bus has no channel {}", servo.channel), where,
-                    fmt::format("use 0 to {}", channels(device_.servo_line->bus) - 1));
+                    fmt::format("use 0 to {}", channels - 1));
     }
     for (const ServoSettings& other : device_.servos) {
       if (&other == &servo) break;
@@ -250,7 +247,7 @@ class Reader {
     if (sensor.from == SensorOrigin::kFrames) return check_frame(sensor, where);
     const bool measured =
         sensor.from == SensorOrigin::kServos || sensor.from == SensorOrigin::kCurrents;
-    if (!measured || device_.servo_line->bus != BusKind::kSsc32) return {};
+    if (!measured || traits_of(device_.servo_line->bus).measures) return {};
     return refuse("the SSC-32 cannot measure positions and currents of servos", where,
                   "use from = \"driver\", or sensors at another line");
   }
@@ -308,19 +305,6 @@ ChannelDescription describe(const SensorSettings& sensor, const DeviceFile& file
 
 double patience_of(const DeviceFile& file) {
   return static_cast<double>(file.safety.missed) * file.settings.period;
-}
-
-std::pair<double, double> reach(BusKind bus) {
-  switch (bus) {
-    case BusKind::kSsc32:
-      return {500.0, 2500.0};
-    case BusKind::kScs:
-      return {0.0, 1023.0};
-    case BusKind::kDynamixel:
-    case BusKind::kSts:
-      break;
-  }
-  return {0.0, 4095.0};
 }
 
 Result<DeviceFile> parse_device_file(std::string_view text, std::string_view where) {

@@ -7,17 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "hardware/protocols/bus_kind.h"
 #include "somato/bodies/body.h"
 #include "somato/core/parameter.h"
 
 namespace somato::devices {
-
-enum class BusKind {
-  kSsc32,      ///< Lynxmotion SSC-32: positions are pulse widths in us.
-  kDynamixel,  ///< Robotis, protocol 2, X series: 4096 steps per turn.
-  kSts,        ///< Feetech STS and SMS: 4096 steps per turn.
-  kScs,        ///< Feetech SCS: 1024 steps in 300 degrees.
-};
 
 /// Values of each magnetometer in a frame of AnySkin: x, y and z, without its temperature.
 inline constexpr std::size_t kAnyskinAxes = 3;
@@ -165,9 +159,6 @@ Result<DeviceFile> own_device_file(std::string_view name);
 /// period.
 double patience_of(const DeviceFile& file);
 
-/// The positions that a bus can express, lowest and highest.
-std::pair<double, double> reach(BusKind bus);
-
 /// The body that it makes.
 BodyDescription describe(const DeviceFile& file);
 
@@ -184,10 +175,6 @@ Result<void> check_against(const DeviceFile& file, const BodyDescription& body,
 
 namespace somato {
 
-template <>
-struct Choices<devices::BusKind> {
-  static const std::vector<std::pair<devices::BusKind, std::string>>& all();
-};
 template <>
 struct Choices<devices::FrameFormat> {
   static const std::vector<std::pair<devices::FrameFormat, std::string>>& all();

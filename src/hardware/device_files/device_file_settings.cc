@@ -2,18 +2,9 @@
 
 namespace somato {
 
-using devices::BusKind;
 using devices::ExploringMethod;
 using devices::FrameFormat;
 using devices::SensorOrigin;
-
-const std::vector<std::pair<BusKind, std::string>>& Choices<BusKind>::all() {
-  static const std::vector<std::pair<BusKind, std::string>> kAll{{BusKind::kSsc32, "ssc32"},
-                                                                 {BusKind::kDynamixel, "dynamixel"},
-                                                                 {BusKind::kSts, "sts"},
-                                                                 {BusKind::kScs, "scs"}};
-  return kAll;
-}
 
 const std::vector<std::pair<FrameFormat, std::string>>& Choices<FrameFormat>::all() {
   static const std::vector<std::pair<FrameFormat, std::string>> kAll{

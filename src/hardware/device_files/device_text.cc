@@ -93,21 +93,16 @@ std::string with_key(std::string_view text, std::string_view table, std::string_
 
 namespace {
 
-// Steps per turn of a bus, and the calibration of a servo that has the middle of its limits in the
-// middle of the bus.
+// The calibration of a servo that has the middle of its limits in the middle of the bus.
 struct BusCalibration {
   double zero = 0.0;
   double scale = 0.0;
 };
 
-BusCalibration calibration_of(const ServoSettings& servo, BusKind bus) {
-  const bool is_coarse = bus == BusKind::kScs;
-  const bool is_pulse = bus == BusKind::kSsc32;
-  const double middle = is_pulse ? 1500.0 : is_coarse ? 511.0 : 2047.0;
-  const double per_degree = is_pulse ? 10.0 : is_coarse ? 1024.0 / 300.0 : 4096.0 / 360.0;
-  const double reach = is_pulse ? 900.0 : is_coarse ? 400.0 : 1800.0;
-  const double scale = servo.unit == "deg" ? per_degree : 2.0 * reach / (servo.most - servo.least);
-  return {middle - scale * 0.5 * (servo.least + servo.most), scale};
+BusCalibration calibration_of(const ServoSettings& servo, const BusTraits& bus) {
+  const double scale =
+      servo.unit == "deg" ? bus.per_degree : 2.0 * bus.swing / (servo.most - servo.least);
+  return {bus.middle - scale * 0.5 * (servo.least + servo.most), scale};
 }
 
 }  // namespace
@@ -116,13 +111,12 @@ Result<std::string> with_bus(std::string_view text, std::string_view where, BusK
   SOMATO_TRY(const auto file, parse_device_file(text, where));
   if (!file.servo_line || file.servo_line->bus == bus) return std::string(text);
   std::string changed = with_key(text, "servos", "bus", fmt::format("\"{}\"", choice_name(bus)));
-  changed = with_key(changed, "servos", "baud", bus == BusKind::kSsc32 ? "115200" : "1000000");
+  const BusTraits& traits = traits_of(bus);
+  changed = with_key(changed, "servos", "baud", fmt::format("{}", traits.baud));
   for (std::size_t i = 0; i < file.servos.size(); ++i) {
-    const BusCalibration calibration = calibration_of(file.servos[i], bus);
+    const BusCalibration calibration = calibration_of(file.servos[i], traits);
     const std::string table = "servo." + file.servos[i].name;
-    // Ids of servos begin with 1: 0 is rarely used.
-    const std::size_t channel = bus == BusKind::kSsc32 ? i : i + 1;
-    changed = with_key(changed, table, "channel", fmt::format("{}", channel));
+    changed = with_key(changed, table, "channel", fmt::format("{}", traits.first_channel + i));
     changed = with_key(changed, table, "zero", fmt::format("{:.6g}", calibration.zero));
     changed = with_key(changed, table, "scale", fmt::format("{:.6g}", calibration.scale));
   }

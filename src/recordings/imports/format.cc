@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <span>
 
 #include "recordings/imports/acoustic_hardness.h"
 #include "recordings/imports/data_sets.h"
@@ -17,16 +19,21 @@
 namespace somato {
 namespace {
 
-struct KnownFiles {
+// A public data set: a row is all that the program knows of it.
+struct DataSet {
   RecordingFormat format;
-  const char* pattern;
+  const char* name;
+  const char* pattern;  // of its files
+  Result<Recording> (*import)(const std::filesystem::path& folder);
 };
 
-constexpr KnownFiles kKnown[] = {
-    {RecordingFormat::kIcubGrasp, kIcubGraspFiles},
-    {RecordingFormat::kFabricslide, kFabricslideFiles},
-    {RecordingFormat::kHkustPressSlide, kHkustPressSlideFiles},
-    {RecordingFormat::kAcousticHardness, kAcousticHardnessFiles},
+constexpr DataSet kDataSets[] = {
+    {RecordingFormat::kIcubGrasp, "icub_grasp", kIcubGraspFiles, import_icub_grasp},
+    {RecordingFormat::kFabricslide, "fabricslide", kFabricslideFiles, import_fabricslide},
+    {RecordingFormat::kHkustPressSlide, "hkust_press_slide", kHkustPressSlideFiles,
+     import_hkust_press_slide},
+    {RecordingFormat::kAcousticHardness, "acoustic_hardness", kAcousticHardnessFiles,
+     import_acoustic_hardness},
 };
 
 bool fits(const NamePattern& pattern, const std::string& file) {
@@ -34,16 +41,16 @@ bool fits(const NamePattern& pattern, const std::string& file) {
   return labels && labels->has_value();
 }
 
-std::string described(const KnownFiles& known) {
-  return fmt::format("{} ({})", choice_name(known.format), known.pattern);
+std::string described(const DataSet& set) {
+  return fmt::format("{} ({})", set.name, set.pattern);
 }
 
-std::vector<KnownFiles> fitting(const std::vector<std::string>& files) {
-  std::vector<KnownFiles> found;
-  for (const KnownFiles& known : kKnown) {
-    const NamePattern pattern = NamePattern::parse(known.pattern).value();
+std::vector<DataSet> fitting(const std::vector<std::string>& files) {
+  std::vector<DataSet> found;
+  for (const DataSet& set : kDataSets) {
+    const NamePattern pattern = NamePattern::parse(set.pattern).value();
     const auto fit = [&](const std::string& file) { return fits(pattern, file); };
-    if (std::any_of(files.begin(), files.end(), fit)) found.push_back(known);
+    if (std::any_of(files.begin(), files.end(), fit)) found.push_back(set);
   }
   return found;
 }
@@ -60,39 +67,21 @@ bool is_result(const std::string& file) {
   return std::filesystem::path(file).filename() == "results.json";
 }
 
-template <typename Formats>
-std::string listed(const Formats& formats) {
+std::string listed(std::span<const DataSet> sets) {
   std::string text;
-  for (const KnownFiles& known : formats) text += (text.empty() ? "" : ", ") + described(known);
+  for (const DataSet& set : sets) text += (text.empty() ? "" : ", ") + described(set);
   return text;
-}
-
-Result<Recording> load_folder(RecordingFormat format, const std::filesystem::path& folder) {
-  switch (format) {
-    case RecordingFormat::kAutomatic:
-      return recognize_format(folder).and_then(
-          [&](RecordingFormat found) { return load_folder(found, folder); });
-    case RecordingFormat::kIcubGrasp:
-      return import_icub_grasp(folder);
-    case RecordingFormat::kFabricslide:
-      return import_fabricslide(folder);
-    case RecordingFormat::kHkustPressSlide:
-      return import_hkust_press_slide(folder);
-    case RecordingFormat::kAcousticHardness:
-      return import_acoustic_hardness(folder);
-  }
-  return fail(ErrorKind::kUsage, "this recording format cannot be read");
 }
 
 }  // namespace
 
 const std::vector<std::pair<RecordingFormat, std::string>>& Choices<RecordingFormat>::all() {
-  static const std::vector<std::pair<RecordingFormat, std::string>> choices{
-      {RecordingFormat::kAutomatic, "automatic"},
-      {RecordingFormat::kIcubGrasp, "icub_grasp"},
-      {RecordingFormat::kFabricslide, "fabricslide"},
-      {RecordingFormat::kHkustPressSlide, "hkust_press_slide"},
-      {RecordingFormat::kAcousticHardness, "acoustic_hardness"}};
+  static const auto choices = [] {
+    std::vector<std::pair<RecordingFormat, std::string>> all{
+        {RecordingFormat::kAutomatic, "automatic"}};
+    for (const DataSet& set : kDataSets) all.emplace_back(set.format, set.name);
+    return all;
+  }();
   return choices;
 }
 
@@ -103,12 +92,12 @@ Result<RecordingFormat> recognize_format(const std::filesystem::path& folder) {
                 folder.string(), "use one of them");
   }
   std::erase_if(files, is_result);
-  const std::vector<KnownFiles> found = fitting(files);
+  const std::vector<DataSet> found = fitting(files);
   if (found.size() == 1) return found.front().format;
   if (found.empty()) {
     return fail(ErrorKind::kData,
-                "the folder contains none of the known formats: " + listed(kKnown), folder.string(),
-                "use another folder, or import it with a description");
+                "the folder contains none of the known formats: " + listed(kDataSets),
+                folder.string(), "use another folder, or import it with a description");
   }
   return fail(ErrorKind::kData, "the folder contains more than one format: " + listed(found),
               folder.string(), "use a subfolder, or specify the format");
@@ -117,7 +106,12 @@ Result<RecordingFormat> recognize_format(const std::filesystem::path& folder) {
 Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& path) {
   std::error_code missing;
   if (std::filesystem::is_regular_file(path, missing)) return read_recording(path.string());
-  return load_folder(format, path);
+  if (format == RecordingFormat::kAutomatic) {
+    SOMATO_TRY(format, recognize_format(path));
+  }
+  const auto* const set = std::find_if(std::begin(kDataSets), std::end(kDataSets),
+                                       [&](const DataSet& one) { return one.format == format; });
+  return set->import(path);
 }
 
 }  // namespace somato

@@ -49,7 +49,7 @@ TEST(OneHot, RefusesAValueOutsideWithItsRange) {
   ASSERT_FALSE(above);
   EXPECT_EQ(above.error().kind, ErrorKind::kData);
   EXPECT_EQ(above.error().what,
-            "the value 91.5 is outside the bins_of -5 to 90 of its one-hot code");
+            "the value 91.5 is outside the range -5 to 90 of its one-hot code");
   EXPECT_EQ(above.error().advice, "widen 'low' and 'high', or set outside = \"clamp\"");
   EXPECT_FALSE(code.bin(-5.01F));
   EXPECT_FALSE(code.bin(kInfinity));
@@ -120,7 +120,7 @@ TEST(OneHotSequence, NamesTheJointItCannotCode) {
   const Result<Signal> signal = code.encode(std::vector<float>{0.5F, 1.5F});
   ASSERT_FALSE(signal);
   EXPECT_EQ(signal.error().where, "joint 2");
-  EXPECT_EQ(signal.error().what, "the value 1.5 is outside the bins_of 0 to 1 of its one-hot code");
+  EXPECT_EQ(signal.error().what, "the value 1.5 is outside the range 0 to 1 of its one-hot code");
 }
 
 TEST(OneHotSequence, RefusesJointsAndValuesThatDoNotFit) {
