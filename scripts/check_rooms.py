@@ -78,16 +78,18 @@ def check_tests(tree, table):
 def small_units(tree):
     """Units below SMALL_UNIT lines whose header one other file includes."""
     users, lengths = {}, {}
-    for path in [*(tree / "src").rglob("*.h"), *(tree / "src").rglob("*.cc")]:
+    for base, path in ((base, path) for base in ("src", "program") for path in sorted((tree / base).rglob("*.[hc]*"))):
+        if path.suffix not in (".h", ".cc"):
+            continue
         text = path.read_text(encoding="utf-8")
-        name = path.relative_to(tree / "src").with_suffix("").as_posix()
+        name = path.relative_to(tree / base).with_suffix("").as_posix()
         lengths[name] = lengths.get(name, 0) + text.count("\n")
         for header in INCLUDE.findall(text):
             if header.removesuffix(".h") != name:
                 users.setdefault(header, set()).add(name)
     for name, length in sorted(lengths.items()):
         if length < SMALL_UNIT and len(of_unit := users.get(f"{name}.h", set())) == 1:
-            yield f"note: src/{name} has {length} lines and one user, src/{of_unit.pop()}"
+            yield f"note: {name} has {length} lines and one user, {of_unit.pop()}"
 
 
 def check(tree):

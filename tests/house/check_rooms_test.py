@@ -69,7 +69,7 @@ class Rooms(TreeTest):
         self.write("src/base/core/small.h", "line\n" * 10)
         self.write("src/base/core/part0.h", '#include "base/core/small.h"\n' * 50)
         self.assertEqual(list(check_rooms.small_units(self.tree)),
-                         ["note: src/base/core/small has 10 lines and one user, src/base/core/part0"])
+                         ["note: base/core/small has 10 lines and one user, base/core/part0"])
         self.write("src/base/core/part1.h", '#include "base/core/small.h"\n' * 50)
         self.assertEqual(list(check_rooms.small_units(self.tree)), [])
 
