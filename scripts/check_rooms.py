@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Reports rooms that are too large or too small, wings with too many rooms, and folders that src/rooms.json
-does not name; notes small units with one user.
+"""Reports rooms that are too large or too small, wings with too many rooms or without a README.md, and folders that
+src/rooms.json does not name; notes small units with one user.
 
 usage: check_rooms.py [TREE]
 """
@@ -14,6 +14,7 @@ import rooms
 MOST_FILES = 26
 FEWEST_FILES = 4
 MOST_ROOMS = 10
+LONGEST_README = 60  # lines
 SMALL_UNIT = 40  # lines of a header and its source
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 ADVICE = "move a wall (docs/decisions/0037-wings.md)"
@@ -61,6 +62,20 @@ def check_folders(tree, table):
                 if path.is_dir() and path.name not in known)
 
 
+def check_readmes(tree, table):
+    for wing in table.wings:
+        page = folder_of(tree, wing) / "README.md"
+        if not page.is_file():
+            yield f"{wing}: no README.md, which says what comes in, what goes out and how to add the usual thing"
+            continue
+        text = page.read_text(encoding="utf-8")
+        if (length := text.count("\n")) > LONGEST_README:
+            yield f"{wing}/README.md: {length} lines; at most {LONGEST_README}"
+        missing = [room for room in table.rooms(wing) if f"`{room}`" not in text]
+        if missing:
+            yield f"{wing}/README.md: does not name the rooms {', '.join(missing)}"
+
+
 def check_tests(tree, table):
     for wing in sorted(path for path in (tree / "tests").iterdir() if path.is_dir()):
         if wing.name in ROOMS_OF_TESTS:
@@ -94,7 +109,8 @@ def small_units(tree):
 
 def check(tree):
     table = rooms.read(tree)
-    problems = [*check_sizes(tree, table), *check_folders(tree, table), *check_tests(tree, table)]
+    problems = [*check_sizes(tree, table), *check_folders(tree, table), *check_readmes(tree, table),
+                *check_tests(tree, table)]
     shown = (tree / "ARCHITECTURE.md").read_text(encoding="utf-8")
     if rooms.markdown(table) not in shown:
         problems.append("ARCHITECTURE.md: its tables are not those of src/rooms.json; run scripts/check_rooms.py --fix")

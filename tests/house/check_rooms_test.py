@@ -17,6 +17,8 @@ class Rooms(TreeTest):
         super().setUp()
         (self.tree / "tests").mkdir()
         self.write_table(TABLE)
+        self.write("src/base/README.md", "# base\n\n- `core`: checks.\n")
+        self.write("program/README.md", "# program\n\n- `flags`: commands.\n")
         for number in range(4):
             self.write(f"src/base/core/part{number}.h", "line\n" * 50)
             self.write(f"program/flags/part{number}.h")
@@ -49,6 +51,7 @@ class Rooms(TreeTest):
         for number in range(10):
             table["base"]["rooms"][f"room{number}"] = {"holds": "files", "small": "a reason"}
         self.write_table(table)
+        self.write("src/base/README.md", "# base\n" + "".join(f"`{room}`\n" for room in table["base"]["rooms"]))
         self.assertEqual(self.problems(), [f"base: 11 rooms; at most 10: {check_rooms.ADVICE}"])
 
     def test_refuses_folders_that_the_table_does_not_name(self):
@@ -64,6 +67,13 @@ class Rooms(TreeTest):
         check_rooms.fix(self.tree)
         self.assertEqual(self.problems(), [])
         self.assertTrue((self.tree / "ARCHITECTURE.md").read_text(encoding="utf-8").endswith("\n\nText\n"))
+
+    def test_refuses_a_wing_without_a_page_of_all_its_rooms(self):
+        (self.tree / "program/README.md").unlink()
+        self.write("src/base/README.md", "line\n" * 61)
+        self.assertEqual(self.problems(), [
+            "base/README.md: 61 lines; at most 60", "base/README.md: does not name the rooms core",
+            "program: no README.md, which says what comes in, what goes out and how to add the usual thing"])
 
     def test_notes_small_units_with_one_user(self):
         self.write("src/base/core/small.h", "line\n" * 10)

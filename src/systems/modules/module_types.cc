@@ -1,20 +1,40 @@
 #include "somato/graph/module.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "systems/modules/support.h"
 
 namespace somato {
+namespace modules {
+
+// A function for each source of this room with types of modules: declared here, where they are
+// listed, so that a new source changes one other file.
+using Types = std::vector<ModuleType>;
+Types source_types();
+Types code_types();
+Types scaling_types();
+Types frame_types();
+Types feature_types();
+Types drift_types();
+Types memory_types();
+Types som_types();
+Types growing_types();
+Types t_mpsom_types();
+Types winner_types();
+Types association_types();
+
+constexpr Types (*kSources[])() = {source_types,  code_types,    scaling_types, frame_types,
+                                   feature_types, drift_types,   memory_types,  som_types,
+                                   growing_types, t_mpsom_types, winner_types,  association_types};
+
+}  // namespace modules
+
 namespace {
 
 std::vector<ModuleType> all_types() {
   std::vector<ModuleType> all;
-  for (auto group :
-       {modules::source_types(), modules::code_types(), modules::scaling_types(),
-        modules::frame_types(), modules::feature_types(), modules::drift_types(),
-        modules::memory_types(), modules::som_types(), modules::growing_types(),
-        modules::t_mpsom_types(), modules::winner_types(), modules::association_types()}) {
-    std::move(group.begin(), group.end(), std::back_inserter(all));
+  for (const auto types : modules::kSources) {
+    for (ModuleType& type : types()) all.push_back(std::move(type));
   }
   return all;
 }

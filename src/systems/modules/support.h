@@ -78,18 +78,4 @@ ModuleType describe(std::string name, std::string text, std::vector<InputPort> p
 InputPort input_port(std::string text);
 InputPort input_ports(std::string text);
 
-/// The types, a function for each source file.
-std::vector<ModuleType> source_types();
-std::vector<ModuleType> code_types();
-std::vector<ModuleType> frame_types();
-std::vector<ModuleType> feature_types();
-std::vector<ModuleType> drift_types();
-std::vector<ModuleType> memory_types();
-std::vector<ModuleType> scaling_types();
-std::vector<ModuleType> som_types();
-std::vector<ModuleType> growing_types();
-std::vector<ModuleType> t_mpsom_types();
-std::vector<ModuleType> winner_types();
-std::vector<ModuleType> association_types();
-
 }  // namespace somato::modules
