@@ -65,6 +65,7 @@ check 'format' check_format
 check 'rooms' python3 scripts/check_rooms.py
 check 'includes' python3 scripts/check_includes.py
 check 'mirrored tests' python3 scripts/check_mirrors.py
+check 'recipes' python3 scripts/recipes.py --check
 check 'house rules' python3 scripts/check_text.py
 check 'types of the pages' python3 scripts/page_types.py --check
 check 'shell scripts' check_shell
