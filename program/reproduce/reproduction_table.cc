@@ -72,7 +72,7 @@ std::string claims_text(const std::vector<ClaimOutcome>& claims, bool of_papers,
       title, text);
 }
 
-// How many claims of papers have each verdict.
+// The number of claims of papers with each verdict.
 std::string verdicts_text(const std::vector<ClaimOutcome>& claims) {
   std::string text;
   for (const auto& [verdict, name] : Choices<ClaimVerdict>::all()) {

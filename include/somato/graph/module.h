@@ -24,7 +24,7 @@ namespace somato {
 
 class Archive;
 
-/// How often a port has a new value.
+/// The rate of new values of a port.
 enum class Rate {
   kFrame,        ///< With every frame of an exploration.
   kExploration,  ///< Once, at the end of an exploration.

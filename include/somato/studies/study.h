@@ -38,7 +38,7 @@ struct StudyPart {
   std::string folder_name() const;
 };
 
-/// How many trainings of studies the journals of all parts contain.
+/// The number of trainings of studies in the journals of all parts.
 struct StudyProgress {
   std::size_t done = 0;
   std::size_t trainings = 0;

@@ -38,7 +38,7 @@ class Spool {
   std::string buffer_;            // Follows the bytes in the file.
   std::optional<OpenFile> file_;  // Once the limit has been exceeded.
   std::size_t stored_ = 0;        // Bytes in the file.
-  std::size_t place_ = 0;         // Where the next byte is read.
+  std::size_t place_ = 0;         // The place of the next byte to read.
   std::string window_;            // Part of the file.
   std::size_t window_place_ = 0;
 };

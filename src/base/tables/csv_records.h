@@ -27,7 +27,7 @@ class CsvRecords {
   /// `text` is `where`; it must outlive this object.
   CsvRecords(std::string_view text, std::string_view where) : text_(text), where_(where) {}
 
-  /// Where a record begins: its byte in the file and its line, from 1.
+  /// The beginning of a record: its byte in the file and its line, from 1.
   struct Start {
     std::size_t place = 0;
     std::size_t line = 1;
@@ -47,7 +47,7 @@ class CsvRecords {
   /// Reads the next record into `fields`, which is empty at the end of the text. Errors: kData.
   Result<void> next(char separator, std::vector<CsvField>& fields);
 
-  /// Where the record that was read last begins; the end of the text after the last.
+  /// The beginning of the record that was read last; the end of the text after the last.
   const Start& start() const { return start_; }
 
   /// `where:line:column` of a field.

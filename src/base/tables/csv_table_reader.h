@@ -30,7 +30,7 @@ class CsvTableReader {
   /// The roles of the columns.
   const TableColumns& columns() const { return columns_; }
 
-  /// Where the next row begins, or the text ends.
+  /// The beginning of the next row, or the end of the text.
   const CsvRecords::Start& start() const { return records_.start(); }
 
   /// Passes over the rows that begin before the byte `begin` of the file, without reading their

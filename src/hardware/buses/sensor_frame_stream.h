@@ -16,7 +16,7 @@ class SensorFrameStream : public SensorStream {
 
   std::size_t rejected() const override { return decoder_.rejected(); }
 
-  /// How often the board restarted.
+  /// The number of restarts of the board.
   std::size_t restarts() const { return restarts_; }
 
  private:

@@ -22,7 +22,7 @@ enum class FrameFormat {
   kAnyskin,  ///< Frames of AnySkin, ReSkin and eFlesh: x, y and z of each magnetometer.
 };
 
-/// Where the values of a sensor come from.
+/// The origin of the values of a sensor.
 enum class SensorOrigin {
   kDriver,      ///< The positions to which the servos have been driven so far.
   kServos,      ///< The positions that the servos measure themselves.
@@ -31,7 +31,7 @@ enum class SensorOrigin {
   kMicrophone,  ///< Samples of the microphone.
 };
 
-/// How the body explores.
+/// The way in which the body explores.
 enum class ExploringMethod {
   kGrasping,  ///< explore_by_grasping().
   kClosing,   ///< explore_by_closing().
@@ -66,7 +66,7 @@ struct ServoSettings {
   double on_bus(double position) const { return zero + scale * position; }
   double from_bus(double position) const { return (position - zero) / scale; }
 
-  /// Where it waits between explorations: `rest`, or the least.
+  /// The position between explorations: `rest`, or the least.
   double resting() const { return rest.value_or(least); }
 };
 

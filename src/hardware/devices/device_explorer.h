@@ -16,7 +16,7 @@
 
 namespace somato::devices {
 
-/// How a device explores.
+/// The settings of a device that explores.
 struct DeviceExploring {
   ExplorationPlan plan;
   GuardedGrasp grasp;
@@ -38,7 +38,7 @@ struct DeviceSurroundings {
   /// has none, when the servos are off.
   std::function<void(wire::Lines& lines, std::span<const std::uint8_t> relax_bytes)> on_switch;
 
-  /// How often the program was continued after it had been stopped; may be empty.
+  /// The number of times that the program was continued after it had been stopped; may be empty.
   std::function<std::size_t()> continued;
 
   /// Called before each exploration, and before the device is started for it; what it returns is

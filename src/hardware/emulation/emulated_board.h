@@ -32,7 +32,7 @@ class EmulatedBoard {
 /// A board with servos, numbered from 0 in the order given at its creation.
 class EmulatedServos : public EmulatedBoard {
  public:
-  /// Where the board drives the servo now, in units of the bus; empty while it is off.
+  /// The position to which the board drives the servo, in units of the bus; empty while it is off.
   virtual std::optional<double> driven_position(std::size_t servo) const = 0;
 
   /// Sets the servo's present measurements: its position in units of the bus, and its current in

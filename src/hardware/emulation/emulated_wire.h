@@ -56,7 +56,7 @@ class EmulatedWire {
       std::uint8_t value = 0;
     };
     std::deque<Byte> bytes;
-    double free = 0.0;  // When the last byte has passed.
+    double free = 0.0;  // The time at which the last byte has passed.
   };
 
   void put(Way& way, std::span<const std::uint8_t> bytes, double now);

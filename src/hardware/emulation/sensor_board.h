@@ -11,7 +11,7 @@
 
 namespace somato::emulation {
 
-/// How a board sends its values.
+/// The format in which a board sends its values.
 enum class SensorFormat {
   kAnySkin,     ///< The values are x, y and z of each magnetometer.
   kInt16Frame,  ///< Our own frames; values are rounded to int16 and clipped.

@@ -39,7 +39,7 @@ class Ssc32Board : public EmulatedServos {
   /// The bytes that VA to VD answer: volts * 256 / 5.
   void set_analog(std::size_t input, std::uint8_t value) { analog_.at(input) = value; }
 
-  /// What A to D answer.
+  /// The levels that the board reports for its inputs A to D.
   void set_digital(std::size_t input, bool value) { digital_.at(input) = value; }
 
   std::uint8_t outputs(std::size_t bank) const { return outputs_.at(bank); }

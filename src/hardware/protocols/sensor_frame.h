@@ -7,7 +7,7 @@
 
 namespace somato::wire {
 
-/// How the values of a frame are sent. The numbers are part of the format.
+/// The type of the values of a frame. The numbers are part of the format.
 enum class SensorValueType : std::uint8_t { kInt16 = 1, kFloat32 = 2 };
 
 inline constexpr std::size_t kMostSensorValues = 1024;

@@ -12,7 +12,7 @@
 
 namespace somato::topics {
 
-/// How the topics of a robot are recorded.
+/// The settings for recording the topics of a robot.
 struct TopicExploring {
   std::string address;               ///< Such as "ws://robot:8765".
   std::vector<TopicSensor> sensors;  ///< At least one.

@@ -66,7 +66,7 @@ class GrowingCells : public GrowingMap {
   /// The triangles, ascending.
   const std::vector<Triangle>& triangles() const { return triangles_; }
 
-  /// How often each neuron won, with decay.
+  /// The number of wins of each neuron, with decay.
   const std::vector<double>& counters() const { return counters_; }
 
  private:

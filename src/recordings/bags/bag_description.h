@@ -32,7 +32,7 @@ struct Choices<ClockJumps> {
   static const std::vector<std::pair<ClockJumps, std::string>>& all();
 };
 
-/// How the bags are cut into explorations: the table [import].
+/// The division of bags into explorations: the table [import].
 struct BagTrials {
   std::string files;  ///< Such as "{object}_{trial:number}"; empty: no labels from names.
   Unmentioned other_files = Unmentioned::kRefuse;

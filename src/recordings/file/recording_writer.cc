@@ -158,7 +158,7 @@ class RecordingWriter::Impl {
   Clock::duration flush_after_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::optional<Clock::time_point> oldest_;  // When the oldest message of the chunk came.
+  std::optional<Clock::time_point> oldest_;  // The arrival of the oldest message of the chunk.
   bool stop_ = false;
   bool closed_ = false;
   FrameWriter frames_;

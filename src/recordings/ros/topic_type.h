@@ -11,7 +11,7 @@
 
 namespace somato {
 
-/// How the messages of a topic are encoded.
+/// The encoding of the messages of a topic.
 struct TopicEncoding {
   std::string type;                 ///< Such as "sensor_msgs/msg/JointState".
   std::string message_encoding;     ///< "cdr" or another.

@@ -4,7 +4,7 @@
 
 namespace somato {
 
-/// How unusual explorations are for a trained system, one value each in the same order.
+/// Scores of how unusual explorations are for a trained system, one value each in the same order.
 struct NoveltyScores {
   std::vector<double> novelty;   ///< Novelty::of().
   std::vector<double> distance;  ///< From the nearest labelled neuron.

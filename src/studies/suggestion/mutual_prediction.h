@@ -33,7 +33,7 @@ struct WeightedPart {
   double weight = 1.0;
 };
 
-/// How well a representation predicts each sense: the information imbalance from whole
+/// The prediction of each sense by a representation: the information imbalance from whole
 /// explorations for a sense that it does not use, and the mean over kSplits for one that it uses. A
 /// sense without halves is predicted from whole explorations, but not better than its `least`
 /// if it is used. `nearest` are the nearest neighbours of the representation in each view.

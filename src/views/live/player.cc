@@ -175,7 +175,8 @@ void Player::begin_exploration(std::size_t index, std::shared_ptr<const Timeline
   replay_.begin({index, &chosen, std::move(timeline), std::move(scene)});
 }
 
-// When the next moment, step of the body or exploration is to be shown; never while all rests.
+// The time at which the next moment, step of the body or exploration is to be shown; never while
+// all rests.
 std::optional<Pace::Clock::time_point> Player::due() const {
   if (!pace_.playing && moments_left_ == 0) return {};
   if (!replay_.is_over()) return pace_.due(replay_.pause());

@@ -63,7 +63,7 @@ class ViewSession {
   Result<std::string> recording_file();
   Result<std::string> system_file();
 
-  /// Where events are published.
+  /// The hub that publishes the events.
   live::EventHub& hub();
 
  private:

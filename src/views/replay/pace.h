@@ -15,7 +15,7 @@ class Pace {
   /// The moment that is shown begins now.
   void begin() { shown_at_ = Clock::now(); }
 
-  /// When the next moment is due that came so many seconds after this one.
+  /// The time at which the next moment is due that came so many seconds after this one.
   Clock::time_point due(double seconds) const;
 
   /// The next moment is shown, which was due then: a small delay is made up for, a large one not.

@@ -30,7 +30,7 @@ class Timeline {
   /// Frames per second of the channel; 0 if unknown.
   double rate(std::size_t channel) const { return rates_[channel]; }
 
-  /// How many frames of the channel have come when that moment is over.
+  /// The number of frames of the channel that have come when that moment is over.
   std::size_t frames(std::size_t channel, std::size_t moment) const {
     return frames_[moment * rates_.size() + channel];
   }

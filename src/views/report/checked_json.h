@@ -34,7 +34,7 @@ class CheckedJson {
   std::string text() const;
   /// A number that is finite.
   double number() const;
-  /// The same, or null for NaN.
+  /// The same, with null for NaN.
   double number_or_nan() const;
   std::optional<double> number_or_nothing() const;
   /// A whole number from 0 to `most`.

@@ -14,7 +14,7 @@ namespace somato::live {
 /// writes opens and closes, and brings a key before each value of an object.
 class JsonWriter {
  public:
-  /// As it is.
+  /// Writes the text unchanged.
   template <typename... Arguments>
   JsonWriter& add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);

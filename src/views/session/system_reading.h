@@ -39,7 +39,7 @@ struct Reading {
   /// a candidate.
   std::string name(const std::vector<std::string>& classes) const;
 
-  /// How much nearer the nearest class is than the next: 0 equally near, 1 far; 1 without a next.
+  /// The lead of the nearest class over the next: 0 equally near, 1 far; 1 without a next.
   double confidence() const;
 };
 

@@ -61,7 +61,8 @@ struct ViewSource {
   PriorExplorations prior_explorations = {};
   bool teaches = true;     ///< Whether the selected system learns the names that are given.
   std::uint64_t seed = 1;  ///< The seed of training.
-  /// Where the explorations of the body are saved, or nullptr; must outlive the session.
+  /// The file in which the explorations of the body are saved, or nullptr; must outlive the
+  /// session.
   GrowingRecording* file = nullptr;
   SceneFinder scenes = {};  ///< For recordings; may be empty.
   /// Takes what the first of the systems says, which is then the only one; may be empty.
@@ -73,7 +74,7 @@ struct ViewSource {
 /// Without waiting for the next moment.
 inline constexpr double kFastest = 1e9;
 
-/// How it is viewed.
+/// The settings of a view.
 struct ViewSettings {
   bool wait_for_viewer = true;  ///< Begins to play with the first viewer; else at once.
   double speed = 1.0;           ///< 0.05 to 100, or kFastest; 1: as fast as it was.

@@ -23,8 +23,8 @@ struct SystemPicture {
   std::string problem;  ///< Why it cannot read what is viewed, a sentence; empty: it can.
 };
 
-/// `layout` is that of what is viewed; without one (a body that has not explored yet) systems are
-/// taken at their word.
+/// `layout` is that of the viewed recording; without one (a body that has not explored yet) the
+/// shapes that the systems declare are used.
 SystemPicture picture_of(const ViewSystem& system, const std::optional<RecordingLayout>& layout);
 
 /// An error as a sentence for a page.
