@@ -94,7 +94,8 @@ def build(tree, groups):
     options = [f"-DSOMATO_PAGES_FILE={pages}"] if pages.is_file() else ["-DSOMATO_BUILD_PAGES=OFF"]
     targets = [f"{group}_group" for group in groups]
     return all(subprocess.run(command, cwd=tree).returncode == 0 for command in (
-        ["cmake", "--preset", "dev", "-DSOMATO_BUILD_PYTHON=OFF", *options],
+        # Position-independent as in the build folder `dev`, whose results a compiler cache has.
+        ["cmake", "--preset", "dev", "-DSOMATO_BUILD_PYTHON=OFF", "-DSOMATO_POSITION_INDEPENDENT=ON", *options],
         ["cmake", "--build", "build/dev", "--target", "somato_program", *targets]))
 
 

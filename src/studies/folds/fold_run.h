@@ -23,6 +23,12 @@ struct Neighbours {
   std::vector<std::size_t> raw;
   std::vector<std::size_t> standardized;  ///< On vectors standardized on the training part.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("raw", self.raw);
+    visit("standardized", self.standardized);
+  }
   bool operator==(const Neighbours&) const = default;
 };
 
@@ -31,6 +37,12 @@ struct AlteredOutcome {
   std::vector<std::size_t> named_by;  ///< As in FoldOutcome.
   Neighbours nearest;                 ///< Among the unaltered training samples.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("named_by", self.named_by);
+    visit("nearest", self.nearest);
+  }
   bool operator==(const AlteredOutcome&) const = default;
 };
 
@@ -49,12 +61,29 @@ struct FoldOutcome {
                                              ///< for the test samples; empty without a recall.
   std::vector<PredictionOutcome> predictions = {};  ///< For each prediction of the study.
   TrainedMap map = {};  ///< The trained map; distances only where all samples are tested by it.
-  ObjectsOutcome objects = {};          ///< Only with object_after_object.
-  std::vector<std::size_t> named = {};  ///< Only with object_after_object: the classes that
-                                        ///< votes name.
-  NoveltyOutcome novelty = {};          ///< Only with leave_class_out.
-  TeachingOutcome teaching = {};        ///< Only with leave_class_out and taught_per_class.
+  ObjectsOutcome objects = {};    ///< Only with object_after_object.
+  NoveltyOutcome novelty = {};    ///< Only with leave_class_out.
+  TeachingOutcome teaching = {};  ///< Only with leave_class_out and taught_per_class.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("training_winners", self.training_winners);
+    visit("winners", self.winners);
+    visit("named_by", self.named_by);
+    visit("nearest", self.nearest);
+    visit("summed_distance", self.summed_distance);
+    visit("topographic_errors", self.topographic_errors);
+    visit("altered", self.altered);
+    visit("recalled", self.recalled);
+    visit("predictions", self.predictions);
+    visit("grid", self.map.grid);
+    visit("u_matrix", self.map.u_matrix);
+    visit("edge_distances", self.map.edge_distances);
+    visit("objects", self.objects);
+    visit("novelty", self.novelty);
+    visit("teaching", self.teaching);
+  }
   bool operator==(const FoldOutcome&) const = default;
 };
 

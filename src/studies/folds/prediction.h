@@ -34,6 +34,13 @@ struct Agreement {
   double right = 0.0;     ///< Values with the same strongest element as the target.
   double distance = 0.0;  ///< Distances of the strongest neurons on the map.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("squared", self.squared);
+    visit("right", self.right);
+    visit("distance", self.distance);
+  }
   bool operator==(const Agreement&) const = default;
 };
 
@@ -50,6 +57,19 @@ struct PredictionOutcome {
   Agreement preceding;             ///< The target in the preceding frame.
   Agreement chance;                ///< Expected for predictions in random order.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("values", self.values);
+    visit("explorations", self.explorations);
+    visit("steps_right", self.steps_right);
+    visit("predicted", self.predicted);
+    visit("mean", self.mean);
+    visit("nearest", self.nearest);
+    visit("nearest_standardized", self.nearest_standardized);
+    visit("preceding", self.preceding);
+    visit("chance", self.chance);
+  }
   bool operator==(const PredictionOutcome&) const = default;
 };
 

@@ -289,7 +289,7 @@ void describe_map(const LearningMap& map, const PreparedStudy& prepared, const F
   outcome.map.grid = map.map().grid();
   outcome.training_winners = winners_of(fold.training);
   outcome.winners = winners_of(fold.test);
-  outcome.named = map.classify(inputs.samples, inputs.places_of(fold.test));
+  outcome.objects.named = map.classify(inputs.samples, inputs.places_of(fold.test));
   outcome.objects.neurons = map.map().neurons();
   outcome.altered.resize(prepared.alterations.size());
 }

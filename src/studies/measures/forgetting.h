@@ -16,6 +16,12 @@ struct LearnerTests {
   std::vector<std::vector<std::size_t>> right;
   std::size_t vectors = 0;  ///< The number of vectors that it keeps in the end.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("right", self.right);
+    visit("vectors", self.vectors);
+  }
   bool operator==(const LearnerTests&) const = default;
 };
 
@@ -26,10 +32,20 @@ inline constexpr std::size_t kContinualLearners = 4;
 /// The test of one fold of the protocol object_after_object.
 struct ObjectsOutcome {
   std::vector<std::size_t> tested;  ///< The number of tested explorations of each learned object.
-  std::vector<LearnerTests> learners;  ///< One for each ContinualLearner; empty: another protocol.
-  std::size_t elements = 0;            ///< The elements of a vector.
-  std::size_t neurons = 0;             ///< The neurons of the map in the end.
+  std::vector<LearnerTests> learners;   ///< One for each ContinualLearner; empty: another protocol.
+  std::size_t elements = 0;             ///< The elements of a vector.
+  std::size_t neurons = 0;              ///< The neurons of the map in the end.
+  std::vector<std::size_t> named = {};  ///< The classes that votes name for the tested samples.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("tested", self.tested);
+    visit("learners", self.learners);
+    visit("elements", self.elements);
+    visit("neurons", self.neurons);
+    visit("named", self.named);
+  }
   bool operator==(const ObjectsOutcome&) const = default;
 };
 

@@ -10,6 +10,13 @@ struct NoveltyScores {
   std::vector<double> distance;  ///< From the nearest labelled neuron.
   std::vector<double> nearest;   ///< From the nearest training exploration, for the baseline.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("novelty", self.novelty);
+    visit("distance", self.distance);
+    visit("nearest", self.nearest);
+  }
   bool operator==(const NoveltyScores&) const = default;
 };
 
@@ -20,6 +27,13 @@ struct NoveltyOutcome {
   NoveltyScores unknown;
 
   void add(const NoveltyOutcome& other);
+
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("known", self.known);
+    visit("unknown", self.unknown);
+  }
   bool operator==(const NoveltyOutcome&) const = default;
 };
 

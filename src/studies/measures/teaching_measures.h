@@ -13,6 +13,13 @@ struct RightNames {
   std::size_t nearest = 0;   ///< The most similar class is theirs.
   std::size_t baseline = 0;  ///< The nearest exploration, of those trained on or named, has theirs.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("answered", self.answered);
+    visit("nearest", self.nearest);
+    visit("baseline", self.baseline);
+  }
   bool operator==(const RightNames&) const = default;
 };
 
@@ -22,6 +29,13 @@ struct TeachingStage {
   RightNames known;               ///< Held-out explorations of the classes of the training.
   std::size_t known_changed = 0;  ///< Those of the latter with another answer than at first.
 
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("taught", self.taught);
+    visit("known", self.known);
+    visit("known_changed", self.known_changed);
+  }
   bool operator==(const TeachingStage&) const = default;
 };
 
@@ -35,6 +49,16 @@ struct TeachingOutcome {
 
   /// Sums of the same number of stages.
   void add(const TeachingOutcome& other);
+
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("stages", self.stages);
+    visit("taught_tested", self.taught_tested);
+    visit("known_tested", self.known_tested);
+    visit("names", self.names);
+    visit("refused", self.refused);
+  }
   bool operator==(const TeachingOutcome&) const = default;
 };
 

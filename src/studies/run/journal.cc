@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include "base/archives/checksum.h"
 #include "base/files/whole_file.h"
@@ -18,7 +20,7 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kJournalVersion = 6;
+constexpr int kJournalVersion = 7;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
@@ -34,48 +36,8 @@ std::string part_name(const std::string& fingerprint) {
   return checksum_name(header_of(fingerprint)) + ".journal";
 }
 
-SortedJson altered_json(const FoldOutcome& outcome) {
-  SortedJson altered = SortedJson::array();
-  for (const AlteredOutcome& one : outcome.altered) {
-    altered.push_back({{"named_by", one.named_by},
-                       {"nearest_raw", one.nearest.raw},
-                       {"nearest_standardized", one.nearest.standardized}});
-  }
-  return altered;
-}
-
-// The numbers of a comparison in a fixed order, for writing and for reading.
-template <typename Outcome, typename Visit>
-void for_each_number(Outcome& outcome, const Visit& visit) {
-  visit(outcome.values);
-  visit(outcome.explorations);
-  visit(outcome.steps_right);
-  for (auto* part : {&outcome.predicted, &outcome.mean, &outcome.nearest,
-                     &outcome.nearest_standardized, &outcome.preceding, &outcome.chance}) {
-    visit(part->squared);
-    visit(part->right);
-    visit(part->distance);
-  }
-}
-
-SortedJson numbers_of(const std::vector<PredictionOutcome>& predictions) {
-  SortedJson all = SortedJson::array();
-  for (const PredictionOutcome& prediction : predictions) {
-    SortedJson numbers = SortedJson::array();
-    for_each_number(prediction, [&](double number) { numbers.push_back(number); });
-    all.push_back(std::move(numbers));
-  }
-  return all;
-}
-
-std::vector<PredictionOutcome> predictions_of(const SortedJson& all) {
-  std::vector<PredictionOutcome> predictions(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    std::size_t place = 0;
-    for_each_number(predictions[i], [&](double& number) { all[i].at(place++).get_to(number); });
-  }
-  return predictions;
-}
+template <typename T>
+concept HasFields = requires(T& value) { T::fields(value, [](const char*, auto&) {}); };
 
 // A line has a checksum, so that its grid is possible.
 Grid grid_of(const SortedJson& json) {
@@ -89,133 +51,46 @@ Grid grid_of(const SortedJson& json) {
           choice_named<Topology>("topology", json.at("topology").get<std::string>(), {}).value()};
 }
 
-SortedJson json_of(const ObjectsOutcome& objects) {
-  SortedJson learners = SortedJson::array();
-  for (const LearnerTests& one : objects.learners) {
-    learners.push_back({{"right", one.right}, {"vectors", one.vectors}});
-  }
-  return {{"tested", objects.tested},
-          {"learners", std::move(learners)},
-          {"elements", objects.elements},
-          {"neurons", objects.neurons}};
-}
-
-ObjectsOutcome objects_of(const SortedJson& json) {
-  ObjectsOutcome objects;
-  json.at("tested").get_to(objects.tested);
-  for (const SortedJson& one : json.at("learners")) {
-    LearnerTests& tests = objects.learners.emplace_back();
-    one.at("right").get_to(tests.right);
-    one.at("vectors").get_to(tests.vectors);
-  }
-  json.at("elements").get_to(objects.elements);
-  json.at("neurons").get_to(objects.neurons);
-  return objects;
-}
-
-// The lists of scores in a fixed order, for writing and for reading.
-template <typename Outcome, typename Visit>
-void for_each_score(Outcome& novelty, const Visit& visit) {
-  for (auto* scores : {&novelty.known, &novelty.unknown}) {
-    visit(scores->novelty);
-    visit(scores->distance);
-    visit(scores->nearest);
+template <typename T>
+SortedJson json_of(const T& value) {
+  if constexpr (std::is_same_v<T, Grid>) {
+    return detail::grid_json(value);
+  } else if constexpr (HasFields<T>) {
+    // Fields with their initial values, such as those of other protocols, are left out.
+    SortedJson json = SortedJson::object();
+    T::fields(value, [&]<typename Field>(const char* name, const Field& field) {
+      if (field != Field{}) json[name] = json_of(field);
+    });
+    return json;
+  } else if constexpr (requires { requires HasFields<typename T::value_type>; }) {
+    SortedJson list = SortedJson::array();
+    for (const auto& one : value) list.push_back(json_of(one));
+    return list;
+  } else {
+    return value;
   }
 }
 
-SortedJson json_of(const NoveltyOutcome& novelty) {
-  SortedJson json = SortedJson::array();
-  for_each_score(novelty, [&](const std::vector<double>& scores) { json.push_back(scores); });
-  return json;
-}
-
-NoveltyOutcome novelty_of(const SortedJson& json) {
-  NoveltyOutcome novelty;
-  std::size_t place = 0;
-  for_each_score(novelty, [&](std::vector<double>& scores) { json.at(place++).get_to(scores); });
-  return novelty;
-}
-
-// The numbers of the tests of teaching in a fixed order, for writing and for reading.
-template <typename Outcome, typename Visit>
-void for_each_count(Outcome& teaching, const Visit& visit) {
-  visit(teaching.taught_tested);
-  visit(teaching.known_tested);
-  visit(teaching.names);
-  visit(teaching.refused);
-  for (auto& stage : teaching.stages) {
-    for (auto* right : {&stage.taught, &stage.known}) {
-      visit(right->answered);
-      visit(right->nearest);
-      visit(right->baseline);
-    }
-    visit(stage.known_changed);
+template <typename T>
+void from_json(const SortedJson& json, T& value) {
+  if constexpr (std::is_same_v<T, Grid>) {
+    value = grid_of(json);
+  } else if constexpr (HasFields<T>) {
+    T::fields(value, [&](const char* name, auto& field) {
+      if (json.contains(name)) from_json(json.at(name), field);
+    });
+  } else if constexpr (requires { requires HasFields<typename T::value_type>; }) {
+    for (const SortedJson& one : json) from_json(one, value.emplace_back());
+  } else {
+    json.get_to(value);
   }
-}
-
-SortedJson json_of(const TeachingOutcome& teaching) {
-  SortedJson counts = SortedJson::array();
-  for_each_count(teaching, [&](std::size_t count) { counts.push_back(count); });
-  return {{"stages", teaching.stages.size()}, {"counts", std::move(counts)}};
-}
-
-TeachingOutcome teaching_of(const SortedJson& json) {
-  TeachingOutcome teaching;
-  teaching.stages.resize(json.at("stages").get<std::size_t>());
-  const SortedJson& counts = json.at("counts");
-  std::size_t place = 0;
-  for_each_count(teaching, [&](std::size_t& count) { counts.at(place++).get_to(count); });
-  return teaching;
 }
 
 SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
-  SortedJson content{{"protocol", protocol},
-                     {"training", training},
-                     {"training_winners", outcome.training_winners},
-                     {"winners", outcome.winners},
-                     {"named_by", outcome.named_by},
-                     {"nearest_raw", outcome.nearest.raw},
-                     {"nearest_standardized", outcome.nearest.standardized},
-                     {"summed_distance", outcome.summed_distance},
-                     {"topographic_errors", outcome.topographic_errors},
-                     {"altered", altered_json(outcome)},
-                     {"recalled", outcome.recalled},
-                     {"predictions", numbers_of(outcome.predictions)},
-                     {"grid", detail::grid_json(outcome.map.grid)},
-                     {"u_matrix", outcome.map.u_matrix},
-                     {"edge_distances", outcome.map.edge_distances},
-                     {"objects", json_of(outcome.objects)},
-                     {"named", outcome.named}};
-  if (outcome.novelty != NoveltyOutcome{}) content["novelty"] = json_of(outcome.novelty);
-  if (outcome.teaching != TeachingOutcome{}) content["teaching"] = json_of(outcome.teaching);
+  SortedJson content = json_of(outcome);
+  content["protocol"] = protocol;
+  content["training"] = training;
   return content;
-}
-
-FoldOutcome outcome_of(const SortedJson& line) {
-  FoldOutcome outcome;
-  line.at("training_winners").get_to(outcome.training_winners);
-  line.at("winners").get_to(outcome.winners);
-  line.at("named_by").get_to(outcome.named_by);
-  line.at("nearest_raw").get_to(outcome.nearest.raw);
-  line.at("nearest_standardized").get_to(outcome.nearest.standardized);
-  line.at("summed_distance").get_to(outcome.summed_distance);
-  line.at("topographic_errors").get_to(outcome.topographic_errors);
-  for (const SortedJson& one : line.at("altered")) {
-    AlteredOutcome& altered = outcome.altered.emplace_back();
-    one.at("named_by").get_to(altered.named_by);
-    one.at("nearest_raw").get_to(altered.nearest.raw);
-    one.at("nearest_standardized").get_to(altered.nearest.standardized);
-  }
-  line.at("recalled").get_to(outcome.recalled);
-  outcome.predictions = predictions_of(line.at("predictions"));
-  outcome.map.grid = grid_of(line.at("grid"));
-  line.at("u_matrix").get_to(outcome.map.u_matrix);
-  line.at("edge_distances").get_to(outcome.map.edge_distances);
-  outcome.objects = objects_of(line.at("objects"));
-  line.at("named").get_to(outcome.named);
-  if (line.contains("novelty")) outcome.novelty = novelty_of(line.at("novelty"));
-  if (line.contains("teaching")) outcome.teaching = teaching_of(line.at("teaching"));
-  return outcome;
 }
 
 // The complete lines of a text, one after the other; text after the last one is omitted.
@@ -280,7 +155,9 @@ std::size_t Journal::read_trainings(const std::string& text) {
     const auto line = lines.next();
     const auto content = line ? checked_content(*line) : std::nullopt;
     if (!content) return text.size() - left;  // trainings after a damaged line are computed again
-    known_[{content->at("protocol"), content->at("training")}] = outcome_of(*content);
+    FoldOutcome outcome;
+    from_json(*content, outcome);
+    known_[{content->at("protocol"), content->at("training")}] = std::move(outcome);
   }
 }
 

@@ -161,7 +161,7 @@ Run SystemRunner::run_of(const SeedOutcome& seed) const {
     named.reserve(folds_.size());
     for (std::size_t f = 0; f < folds_.size(); ++f) {
       named.push_back(part_.protocol == Protocol::kObjectAfterObject
-                          ? seed.folds[f]->named
+                          ? seed.folds[f]->objects.named
                           : predictions(label.classes, folds_[f], *seed.folds[f]));
     }
     std::vector<std::string> names = names_of_tested(label.classes, named);

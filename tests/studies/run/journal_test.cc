@@ -36,8 +36,8 @@ FoldOutcome outcome_number(std::size_t number) {
   const double third = static_cast<double>(number) / 3.0;
   outcome.predictions = {{third, 1.0, 2.0, {0.1, 3.0, 0.4}, {5.0}, {6.0}, {7.0}, {8.0}, {9.0}},
                          PredictionOutcome{}};
-  outcome.objects = {{number, 2}, {{{{1}, {0, number}}, 5}, {{{2}, {1, 1}}, number}}, 3, number};
-  outcome.named = {number, 1};
+  outcome.objects = {
+      {number, 2}, {{{{1}, {0, number}}, 5}, {{{2}, {1, 1}}, number}}, 3, number, {number, 1}};
   return outcome;
 }
 
