@@ -1,7 +1,7 @@
 #pragma once
 
-// The inner loops of a T-MPSOM, one implementation an instruction set: see base/kernels/kernels.h, whose
-// rules hold here. Lanes run over neurons, blocks of a cache line of them at a time.
+// The inner loops of a T-MPSOM, one implementation an instruction set: see base/kernels/kernels.h,
+// whose rules hold here. Lanes run over neurons, blocks of a cache line of them at a time.
 
 #include <cstddef>
 #include <cstdint>

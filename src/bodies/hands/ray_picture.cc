@@ -79,7 +79,8 @@ Colour colour_of(const mjModel& model, int geom) {
 
 class RayScene {
  public:
-  RayScene(const mjModel& model, const mjData& data, std::span<const Tint> tints, const Camera& camera)
+  RayScene(const mjModel& model, const mjData& data, std::span<const Tint> tints,
+           const Camera& camera)
       : model_(model), data_(data) {
     colours_.reserve(static_cast<std::size_t>(model.ngeom));
     shown_.reserve(static_cast<std::size_t>(model.ngeom));

@@ -11,7 +11,8 @@
 
 namespace somato {
 
-/// A map's weights as integers, for screening (base/kernels/batch_kernels.h), and by rows, for deciding.
+/// A map's weights as integers, for screening (base/kernels/batch_kernels.h), and by rows, for
+/// deciding.
 ///
 /// Neurons are grouped in blocks of 16 that are close together on the map, so that a whole block
 /// can be skipped for a distant sample. With the mean c of all weights, unit u (the greatest |w -

@@ -6,14 +6,14 @@
 
 namespace {
 
-// Every test of a wing has a room: the test program of the wing runs the cases of one room at a time
-// (cmake/SomatoTest.cmake), and a case that belongs to none would never run.
+// Every test of a wing has a room: the test program of the wing runs the cases of one room at a
+// time (cmake/SomatoTest.cmake), and a case that belongs to none would never run.
 bool is_in(const testing::TestInfo& test, const std::string& folder) {
   return std::string(test.file()).find("tests/" + folder + "/") != std::string::npos;
 }
 
-// The filter `cases`, without the cases outside of the room `room`, which is WING/ROOM. Ends the process if a case
-// is outside of the wing.
+// The filter `cases`, without the cases outside of the room `room`, which is WING/ROOM. Ends the
+// process if a case is outside of the wing.
 std::string filter_of(const std::string& room, std::string cases) {
   const std::string wing = room.substr(0, room.find('/'));
   std::string separator = cases.find('-') == std::string::npos ? "-" : ":";
@@ -23,8 +23,8 @@ std::string filter_of(const std::string& room, std::string cases) {
     for (int j = 0; j < suite.total_test_count(); ++j) {
       const testing::TestInfo& test = *suite.GetTestInfo(j);
       if (!is_in(test, wing)) {
-        std::fprintf(stderr, "%s.%s in %s is not in a room of tests/%s\n", suite.name(), test.name(),
-                     test.file(), wing.c_str());
+        std::fprintf(stderr, "%s.%s in %s is not in a room of tests/%s\n", suite.name(),
+                     test.name(), test.file(), wing.c_str());
         std::exit(1);
       }
       if (is_in(test, room)) continue;

@@ -48,8 +48,7 @@ TEST(OneHot, RefusesAValueOutsideWithItsRange) {
   const Result<std::uint32_t> above = code.bin(91.5F);
   ASSERT_FALSE(above);
   EXPECT_EQ(above.error().kind, ErrorKind::kData);
-  EXPECT_EQ(above.error().what,
-            "the value 91.5 is outside the range -5 to 90 of its one-hot code");
+  EXPECT_EQ(above.error().what, "the value 91.5 is outside the range -5 to 90 of its one-hot code");
   EXPECT_EQ(above.error().advice, "widen 'low' and 'high', or set outside = \"clamp\"");
   EXPECT_FALSE(code.bin(-5.01F));
   EXPECT_FALSE(code.bin(kInfinity));
