@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "studies/results/metric_table.h"
 #include "terminal/wording.h"
 
 namespace somato::program {
@@ -49,14 +50,12 @@ std::string mean_of(const ProtocolResults& system, const std::string& name) {
 std::string main_metrics(const ProtocolResults& system) {
   std::string text =
       fmt::format("  {:<20} {:<18} {:<10} {}\n", "", "map", "by chance", "nearest neighbour");
-  for (const std::string name :
-       {"accuracy", "unknown_auroc", "unknown_noticed", "unknown_false_alarms", "individuals_apart",
-        "areas_connected", "quantization_error", "topographic_error"}) {
-    const Metric* metric = system.find_metric(name);
+  for (const MetricInfo& info : metric_table()) {
+    const Metric* metric = info.in_run_table ? system.find_metric(info.name) : nullptr;
     if (metric == nullptr) continue;
-    std::string row =
-        fmt::format("  {:<20} {:<18} {:<10} {}", name, summary(*metric),
-                    mean_of(system, name + "_chance"), mean_of(system, "baseline_" + name));
+    std::string row = fmt::format("  {:<20} {:<18} {:<10} {}", info.name, summary(*metric),
+                                  mean_of(system, info.name + "_chance"),
+                                  mean_of(system, "baseline_" + info.name));
     row.erase(row.find_last_not_of(' ') + 1);
     text += row + "\n";
   }

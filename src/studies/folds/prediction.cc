@@ -7,9 +7,11 @@
 #include <functional>
 #include <utility>
 
+#include "somato/core/check.h"
 #include "somato/graph/system_model.h"
 #include "studies/folds/fold_run.h"
 #include "studies/folds/senses.h"
+#include "studies/results/metric_table.h"
 
 namespace somato {
 namespace {
@@ -214,10 +216,12 @@ class MetricsOfPrediction {
     Metric raw = std::move(metrics_.back());
     metrics_.pop_back();
     add_part(name, &PredictionOutcome::nearest_standardized, quantity);
-    const bool more_is_better = quantity == &Agreement::right;
+    const MetricInfo* info = find_metric_info(name);
+    SOMATO_ASSERT(info != nullptr);
     const double standardized = metrics_.back().mean();
-    const bool raw_is_better =
-        more_is_better ? raw.mean() >= standardized : raw.mean() <= standardized;
+    const bool raw_is_better = info->better == MetricDirection::kHigher
+                                   ? raw.mean() >= standardized
+                                   : raw.mean() <= standardized;
     if (raw_is_better) metrics_.back() = std::move(raw);
   }
 

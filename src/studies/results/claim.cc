@@ -10,7 +10,7 @@
 #include "base/core/contains.h"
 #include "somato/studies/results.h"
 #include "somato/studies/study_parameters.h"
-#include "studies/results/metric_names.h"
+#include "studies/results/metric_table.h"
 
 namespace somato {
 namespace {

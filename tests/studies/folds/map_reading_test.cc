@@ -8,6 +8,7 @@
 
 #include "maps/grid/size_order.h"
 #include "studies/measures/most_similar.h"
+#include "studies/support/known_metrics.h"
 #include "studies/support/made_study.h"
 #include "studies/support/prepared_study.h"
 
@@ -28,6 +29,7 @@ StudyParameters study_reading(const std::vector<std::string>& mapped_with,
 }
 
 ByName by_name(const std::vector<Reading>& readings) {
+  testing::expect_known_metrics(readings);
   ByName values;
   for (const Reading& reading : readings) values[reading.name] = reading.value;
   return values;

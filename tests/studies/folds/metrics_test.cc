@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "studies/support/known_metrics.h"
 #include "studies/support/prepared_study.h"
 
 namespace somato {
@@ -66,6 +67,7 @@ class Metrics : public ::testing::Test {
       seeds.back().folds.push_back(&outcomes[i]);
     }
     metrics_ = metrics_of({study, prepared, protocol, folds}, seeds);
+    testing::expect_known_metrics(metrics_);
   }
 
   std::vector<Metric> metrics_;

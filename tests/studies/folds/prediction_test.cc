@@ -7,6 +7,7 @@
 
 #include "studies/folds/fold_run.h"
 #include "studies/folds/metrics.h"
+#include "studies/support/known_metrics.h"
 #include "studies/support/two_senses.h"
 
 namespace somato {
@@ -176,6 +177,7 @@ TEST(PredictionMetrics, DivideTheSumsOverFoldsByTheValues) {
   const PredictionOutcome first = made(3.0, 1.0, 2.0);
   const PredictionOutcome second = made(1.0, 35.0, 1.0);
   const auto metrics = prediction_metrics(prediction, {{&first, &second}});
+  testing::expect_known_metrics(metrics);
   EXPECT_EQ(names(metrics),
             (std::vector<std::string>{"called.prediction_error", "called.prediction_error_of_mean",
                                       "called.prediction_error_of_nearest",
@@ -201,6 +203,7 @@ TEST(PredictionMetrics, OfFramesCountTheStepsThatAreRight) {
   const Prediction prediction{"next", 0, 1, Rate::kFrame, true, {}, {}};
   const PredictionOutcome outcome = made(4.0, 16.0, 3.0);
   const auto metrics = prediction_metrics(prediction, {{&outcome, &outcome}});
+  testing::expect_known_metrics(metrics);
   EXPECT_EQ(metrics.back().name, "next.steps_right");
   EXPECT_EQ(metrics.back().values, std::vector{3.0});
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "studies/support/known_metrics.h"
+
 namespace somato {
 namespace {
 
@@ -33,6 +35,7 @@ TEST(Forgetting, AddsUpFoldsBeforeItComparesAccuracies) {
   ObjectsOutcome one{{1, 1}, std::vector<LearnerTests>(4, {{{1}, {0, 1}}, 10}), 3, 10};
   ObjectsOutcome two{{1, 1}, std::vector<LearnerTests>(4, {{{0}, {1, 1}}, 20}), 3, 20};
   const std::vector<Metric> metrics = continual_metrics({{&one, &two}});
+  testing::expect_known_metrics(metrics);
   const auto value = [&](const std::string& name) {
     for (const Metric& metric : metrics) {
       if (metric.name == name) return metric.values.at(0);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "somato/studies/study.h"
+#include "studies/support/known_metrics.h"
 
 namespace somato::testing {
 
@@ -28,9 +29,14 @@ inline std::vector<double> values_of(const ProtocolResults& system, const std::s
   return {};
 }
 
+/// Runs a study that can be run, and expects that its metrics are known.
 inline StudyOutcome outcome_of(const StudyDescription& description, const Recording& recording,
                                const StudyOptions& options = {}) {
-  return run_study(description, recording, options).value();
+  StudyOutcome outcome = run_study(description, recording, options).value();
+  for (const ProtocolResults& system : outcome.results.protocols) {
+    expect_known_metrics(system.metrics);
+  }
+  return outcome;
 }
 
 }  // namespace somato::testing

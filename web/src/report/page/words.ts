@@ -1,6 +1,7 @@
-// The names of protocols and metrics in words. docs/reference/results.md defines every metric.
+// The names of protocols and metrics in words; ../metrics.ts has those of each metric.
 
 import { capital } from "../../parts/numbers";
+import { kMetrics, type MetricInfo, type MetricRange } from "../metrics";
 import type { ProtocolData, SystemReport } from "./unpacked";
 import type { Placed } from "./same_names";
 
@@ -28,63 +29,6 @@ export function hasOneMap(protocol: ProtocolData): boolean {
   return protocol.protocol === "train_is_test" || protocol.protocol === "test_data";
 }
 
-/** Metrics of the classes left out whose name is given, and of the known ones; the number of names follows. */
-const kNamed: Record<string, string> = {
-  taught_accuracy: "New class answered",
-  taught_accuracy_of_nearest: "New class most similar",
-  baseline_taught_accuracy: "New class, nearest neighbour,",
-  known_accuracy: "Known classes answered",
-  known_accuracy_of_nearest: "Known classes most similar",
-  baseline_known_accuracy: "Known classes, nearest neighbour,",
-  known_changed: "Known classes, other answer",
-};
-
-const kMetrics: Record<string, string> = {
-  accuracy: "Accuracy",
-  baseline_accuracy: "Nearest-neighbour accuracy",
-  baseline_accuracy_raw: "Nearest neighbour, raw",
-  baseline_accuracy_standardized: "Nearest neighbour, standardized",
-  unknown_auroc: "Unknown separated from known (AUROC)",
-  unknown_auroc_of_distance: "The same by distance only",
-  unknown_noticed: "Unknown noticed",
-  unknown_noticed_at_rate: "Unknown noticed at the false-alarm rate",
-  unknown_noticed_at_rate_of_distance: "The same by distance only, at the rate",
-  unknown_false_alarms: "Known read as unknown",
-  baseline_unknown_auroc: "Unknown separated by the nearest neighbour (AUROC)",
-  baseline_unknown_noticed_at_rate: "Unknown noticed by the nearest neighbour",
-  individuals_apart: "No neuron wins two classes",
-  areas_connected: "One connected area per class",
-  classes_separated: "Classes separated",
-  samples_ambiguous: "Ambiguous samples",
-  neighbours_same_class: "Samples with neighbours of the same class",
-  winner_shared_within_class: "Samples that share a winner with their class",
-  on_border: "Winners on the border",
-  neurons: "Neurons",
-  connected_parts: "Connected parts of the map",
-  order_around: "Order around the map",
-  order_within: "Order within a group",
-  order_along: "Order along a line",
-  right_size_wrong_group: "Right size, wrong group",
-  placed_with_most_similar: "Placed near the most similar",
-  quantization_error: "Quantization error",
-  topographic_error: "Topographic error",
-  accuracy_chance: "Accuracy by chance",
-  prediction_error: "Prediction error",
-  strongest_right: "Strongest element predicted",
-  strongest_distance: "Distance of the strongest neurons",
-  steps_right: "Frames predicted before an error",
-  forgetting: "Forgetting",
-  values_kept: "Values kept",
-  baseline_forgetting: "Forgetting, nearest neighbour",
-  baseline_values_kept: "Values kept, nearest neighbour",
-  plain_som_accuracy: "Accuracy, plain SOM",
-  plain_som_forgetting: "Forgetting, plain SOM",
-  plain_som_values_kept: "Values kept, plain SOM",
-  same_memory_accuracy: "Accuracy, nearest neighbour with the memory of the map",
-  same_memory_forgetting: "Forgetting, nearest neighbour with the memory of the map",
-  same_memory_values_kept: "Values kept, nearest neighbour with the memory of the map",
-};
-
 /**
  * "shape.neighbours_same_class" is ["shape", "neighbours_same_class"]; the label of the study itself has no name there.
  * "altered.first_half.shape.accuracy" is ["shape, first_half", "accuracy"].
@@ -99,32 +43,42 @@ export function splitMetric(metric: string): [string, string] {
   return match ? [match[1] ?? "", match[2] ?? ""] : ["", metric];
 }
 
+/** The entry of a metric without its label, whose name may end in "_chance" or "_after_N". */
+function infoOf(own: string): MetricInfo | undefined {
+  return kMetrics.get(own.replace(/^(?:[^.\s]+\.)+/, "").replace(/_chance$/, "").replace(/_after_.*$/, ""));
+}
+
+function wordsOf(own: string): string {
+  return kMetrics.get(own)?.words ?? capital(own);
+}
+
 export function metricName(metric: string): string {
   const [, own] = splitMetric(metric);
   const mapped = /^mapped_with (.+) (\S+)$/.exec(own);
   if (mapped) return `Samples of ${mapped[1]} among ${mapped[2]}`;
+  // The number of names follows metrics of the classes left out whose name is given, and of the known ones.
   const named = /^((?:baseline_)?(?:taught|known)_.+)_after_(\d+)$/.exec(own);
-  if (named) return `${kNamed[named[1] ?? ""] ?? capital(named[1] ?? "")} after ${named[2]} ${named[2] === "1" ? "name" : "names"}`;
-  return kMetrics[own] ?? capital(own);
+  if (named) return `${wordsOf(named[1] ?? "")} after ${named[2]} ${named[2] === "1" ? "name" : "names"}`;
+  return own === "accuracy_chance" ? `${wordsOf("accuracy")} by chance` : wordsOf(own);
 }
-
-const kShares = /(^|_)(accuracy|forgetting|apart|connected|border|error|around|within|along|similar|strongest_right|unknown|changed|refused)/;
-const kCountsOfSamples =
-  /^(samples_ambiguous|neighbours_same_class|winner_shared_within_class|right_size_wrong_group)/;
 
 /** Whether the range of a metric is 0 to 1, whatever the numbers of samples and classes are. */
 export function isShare(metric: string): boolean {
-  const [, own] = splitMetric(metric);
-  const counts = kCountsOfSamples.test(own) || /^(classes_separated|mapped_with|quantization_error|prediction_error)/.test(own);
-  return !counts && kShares.test(own);
+  return infoOf(splitMetric(metric)[1])?.range === "share";
 }
+
+const kRanges: Record<MetricRange, (samples: number, classes: number) => [number, number] | null> = {
+  share: () => [0, 1],
+  signed: () => [-1, 1],
+  samples: (samples) => [0, Math.max(1, samples)],
+  classes: (_, classes) => [0, Math.max(1, classes)],
+  from_zero: () => null,
+};
 
 /** The range of a metric, if known. */
 export function metricRange(metric: string, samples: number, classes: number): [number, number] | null {
-  const [, own] = splitMetric(metric);
-  if (own.startsWith("classes_separated")) return [0, Math.max(1, classes)];
-  if (kCountsOfSamples.test(own)) return [0, Math.max(1, samples)];
-  return isShare(metric) ? [0, 1] : null;
+  const info = infoOf(splitMetric(metric)[1]);
+  return info ? kRanges[info.range](samples, classes) : null;
 }
 
 export type VerdictKind = "good" | "neutral" | "middling" | "bad";

@@ -1,0 +1,73 @@
+// Made from src/studies/results/metrics.inc by scripts/page_metrics.py; change the rows.
+//
+// The words and the range of every metric. docs/reference/results.md defines the metrics.
+
+export type MetricRange = "classes" | "from_zero" | "samples" | "share" | "signed";
+
+export interface MetricInfo {
+  words: string;
+  range: MetricRange;
+}
+
+export const kMetrics: ReadonlyMap<string, MetricInfo> = new Map<string, MetricInfo>([
+  ["accuracy", { words: "Accuracy", range: "share" }],
+  ["baseline_accuracy", { words: "Nearest-neighbour accuracy", range: "share" }],
+  ["baseline_accuracy_raw", { words: "Nearest neighbour, raw", range: "share" }],
+  ["baseline_accuracy_standardized", { words: "Nearest neighbour, standardized", range: "share" }],
+  ["unknown_auroc", { words: "Unknown separated from known (AUROC)", range: "share" }],
+  ["unknown_auroc_of_distance", { words: "The same by distance only", range: "share" }],
+  ["unknown_noticed", { words: "Unknown noticed", range: "share" }],
+  ["unknown_noticed_at_rate", { words: "Unknown noticed at the false-alarm rate", range: "share" }],
+  ["unknown_noticed_at_rate_of_distance", { words: "The same by distance only, at the rate", range: "share" }],
+  ["unknown_false_alarms", { words: "Known read as unknown", range: "share" }],
+  ["baseline_unknown_auroc", { words: "Unknown separated by the nearest neighbour (AUROC)", range: "share" }],
+  ["baseline_unknown_noticed_at_rate", { words: "Unknown noticed by the nearest neighbour", range: "share" }],
+  ["taught_accuracy", { words: "New class answered", range: "share" }],
+  ["taught_accuracy_of_nearest", { words: "New class most similar", range: "share" }],
+  ["baseline_taught_accuracy", { words: "New class, nearest neighbour,", range: "share" }],
+  ["known_accuracy", { words: "Known classes answered", range: "share" }],
+  ["known_accuracy_of_nearest", { words: "Known classes most similar", range: "share" }],
+  ["baseline_known_accuracy", { words: "Known classes, nearest neighbour,", range: "share" }],
+  ["known_changed", { words: "Known classes, other answer", range: "share" }],
+  ["names_refused", { words: "Names refused", range: "share" }],
+  ["individuals_apart", { words: "No neuron wins two classes", range: "share" }],
+  ["areas_connected", { words: "One connected area per class", range: "share" }],
+  ["quantization_error", { words: "Quantization error", range: "from_zero" }],
+  ["topographic_error", { words: "Topographic error", range: "share" }],
+  ["classes_separated", { words: "Classes separated", range: "classes" }],
+  ["samples_ambiguous", { words: "Ambiguous samples", range: "samples" }],
+  ["neighbours_same_class", { words: "Samples with neighbours of the same class", range: "samples" }],
+  ["winner_shared_within_class", { words: "Samples that share a winner with their class", range: "samples" }],
+  ["order_around", { words: "Order around the map", range: "share" }],
+  ["order_within", { words: "Order within a group", range: "share" }],
+  ["order_along", { words: "Order along a line", range: "share" }],
+  ["right_size_wrong_group", { words: "Right size, wrong group", range: "samples" }],
+  ["on_border", { words: "Winners on the border", range: "share" }],
+  ["neurons", { words: "Neurons", range: "from_zero" }],
+  ["connected_parts", { words: "Connected parts of the map", range: "from_zero" }],
+  ["cosine_between_classes", { words: "Cosine between classes", range: "signed" }],
+  ["placed_with_most_similar", { words: "Placed near the most similar", range: "share" }],
+  ["baseline_placed_with_most_similar", { words: "Baseline placed with most similar", range: "share" }],
+  ["placed_in_part_of_most_similar", { words: "Placed in part of most similar", range: "share" }],
+  ["prediction_error", { words: "Prediction error", range: "from_zero" }],
+  ["prediction_error_of_mean", { words: "Prediction error of mean", range: "from_zero" }],
+  ["prediction_error_of_nearest", { words: "Prediction error of nearest", range: "from_zero" }],
+  ["prediction_error_of_preceding", { words: "Prediction error of preceding", range: "from_zero" }],
+  ["strongest_right", { words: "Strongest element predicted", range: "share" }],
+  ["strongest_right_of_nearest", { words: "Strongest right of nearest", range: "share" }],
+  ["strongest_right_of_preceding", { words: "Strongest right of preceding", range: "share" }],
+  ["strongest_distance", { words: "Distance of the strongest neurons", range: "from_zero" }],
+  ["strongest_distance_of_nearest", { words: "Strongest distance of nearest", range: "from_zero" }],
+  ["strongest_distance_of_preceding", { words: "Strongest distance of preceding", range: "from_zero" }],
+  ["steps_right", { words: "Frames predicted before an error", range: "from_zero" }],
+  ["forgetting", { words: "Forgetting", range: "signed" }],
+  ["values_kept", { words: "Values kept", range: "from_zero" }],
+  ["baseline_forgetting", { words: "Forgetting, nearest neighbour", range: "signed" }],
+  ["baseline_values_kept", { words: "Values kept, nearest neighbour", range: "from_zero" }],
+  ["plain_som_accuracy", { words: "Accuracy, plain SOM", range: "share" }],
+  ["plain_som_forgetting", { words: "Forgetting, plain SOM", range: "signed" }],
+  ["plain_som_values_kept", { words: "Values kept, plain SOM", range: "from_zero" }],
+  ["same_memory_accuracy", { words: "Accuracy, nearest neighbour with the memory of the map", range: "share" }],
+  ["same_memory_forgetting", { words: "Forgetting, nearest neighbour with the memory of the map", range: "signed" }],
+  ["same_memory_values_kept", { words: "Values kept, nearest neighbour with the memory of the map", range: "from_zero" }],
+]);
