@@ -100,6 +100,7 @@ def build(tree, groups):
 
 
 def generate_pages(tree):
+    subprocess.run([sys.executable, "scripts/page_metrics.py"], cwd=tree, check=True)
     for words, page in GENERATED.items():
         made = subprocess.run([tree / "build/dev/somato", *words], capture_output=True, text=True, check=True).stdout
         (tree / page).write_text(made, encoding="utf-8")
