@@ -52,19 +52,19 @@ Grid grid_of(const SortedJson& json) {
 }
 
 template <typename T>
-SortedJson json_of(const T& value) {
+SortedJson outcome_json(const T& value) {
   if constexpr (std::is_same_v<T, Grid>) {
     return detail::grid_json(value);
   } else if constexpr (HasFields<T>) {
     // Fields with their initial values, such as those of other protocols, are left out.
     SortedJson json = SortedJson::object();
     T::fields(value, [&]<typename Field>(const char* name, const Field& field) {
-      if (field != Field{}) json[name] = json_of(field);
+      if (field != Field{}) json[name] = outcome_json(field);
     });
     return json;
   } else if constexpr (requires { requires HasFields<typename T::value_type>; }) {
     SortedJson list = SortedJson::array();
-    for (const auto& one : value) list.push_back(json_of(one));
+    for (const auto& one : value) list.push_back(outcome_json(one));
     return list;
   } else {
     return value;
@@ -72,22 +72,22 @@ SortedJson json_of(const T& value) {
 }
 
 template <typename T>
-void from_json(const SortedJson& json, T& value) {
+void read_outcome(const SortedJson& json, T& value) {
   if constexpr (std::is_same_v<T, Grid>) {
     value = grid_of(json);
   } else if constexpr (HasFields<T>) {
     T::fields(value, [&](const char* name, auto& field) {
-      if (json.contains(name)) from_json(json.at(name), field);
+      if (json.contains(name)) read_outcome(json.at(name), field);
     });
   } else if constexpr (requires { requires HasFields<typename T::value_type>; }) {
-    for (const SortedJson& one : json) from_json(one, value.emplace_back());
+    for (const SortedJson& one : json) read_outcome(one, value.emplace_back());
   } else {
     json.get_to(value);
   }
 }
 
 SortedJson content_for(std::size_t protocol, std::size_t training, const FoldOutcome& outcome) {
-  SortedJson content = json_of(outcome);
+  SortedJson content = outcome_json(outcome);
   content["protocol"] = protocol;
   content["training"] = training;
   return content;
@@ -156,7 +156,7 @@ std::size_t Journal::read_trainings(const std::string& text) {
     const auto content = line ? checked_content(*line) : std::nullopt;
     if (!content) return text.size() - left;  // trainings after a damaged line are computed again
     FoldOutcome outcome;
-    from_json(*content, outcome);
+    read_outcome(*content, outcome);
     known_[{content->at("protocol"), content->at("training")}] = std::move(outcome);
   }
 }
