@@ -60,19 +60,18 @@ struct Words {
   Bytes bytes() { return bytes_of(next<std::string>()); }
 };
 
-// Writes the request that the words describe by `writer`, whose addresses are of type Address.
-template <typename Address, typename Writer>
-std::string encoded(Writer writer, Words& words) {
+// Writes the request that the words describe by `writer`.
+std::string encoded(wire::PacketWriter&& writer, Words& words) {
   const auto what = words.next<std::string>();
   const bool everyone = what == "sync_read" || what == "sync_write";
   const std::uint8_t id = everyone ? std::uint8_t{0} : words.byte();
   if (what == "ping") writer.ping(id);
   if (what == "action") writer.action(id);
   if (what == "reboot") writer.reboot(id);
-  const auto address = words.number<Address>();
+  const auto address = words.number<std::uint16_t>();
   if (what == "write") writer.write(id, address, words.bytes());
   if (what == "reg_write") writer.reg_write(id, address, words.bytes());
-  const auto size = words.number<Address>();
+  const auto size = words.number<std::uint16_t>();
   if (what == "read") writer.read(id, address, size);
   if (what == "sync_read") writer.sync_read(address, size, words.bytes());
   if (what == "sync_write") {
@@ -85,12 +84,12 @@ std::string encoded(Writer writer, Words& words) {
 
 std::string encode(Words& words, const devices::DynamixelBus&, FeetechSeries) {
   Bytes memory(2048);
-  return encoded<std::uint16_t>(wire::DynamixelWriter(memory), words);
+  return encoded(wire::DynamixelWriter(memory), words);
 }
 
 std::string encode(Words& words, const devices::FeetechBus&, FeetechSeries series) {
   Bytes memory(2048);
-  return encoded<std::uint8_t>(wire::FeetechWriter(memory, wire::feetech_order(series)), words);
+  return encoded(wire::FeetechWriter(memory, wire::feetech_order(series)), words);
 }
 
 std::string known_models(const devices::DynamixelBus&) {
@@ -174,7 +173,7 @@ void serve(Obeying peer) {
 
 void serve_dynamixel(std::uint8_t count) {
   std::vector<emulation::EmulatedDynamixel> made;
-  std::vector<devices::DynamixelServo> declared;
+  std::vector<devices::PacketServo> declared;
   for (std::uint8_t id = 1; id <= count; ++id) {
     made.push_back({.id = id});
     declared.push_back({id, "XC330-M288"});
@@ -186,7 +185,7 @@ void serve_dynamixel(std::uint8_t count) {
 void serve_feetech(FeetechSeries series, std::uint8_t count) {
   const bool sts = series == FeetechSeries::kSts;
   std::vector<emulation::EmulatedFeetech> made;
-  std::vector<devices::FeetechServo> declared;
+  std::vector<devices::PacketServo> declared;
   for (std::uint8_t id = 1; id <= count; ++id) {
     made.push_back({.id = id, .model = static_cast<std::uint16_t>(sts ? 777 : 1284)});
     declared.push_back({id, sts ? "STS3215" : "SCS0009"});

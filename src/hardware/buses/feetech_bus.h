@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -8,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hardware/buses/goal_speed.h"
-#include "hardware/buses/servo_bus.h"
+#include "hardware/buses/packet_bus.h"
 #include "hardware/protocols/feetech.h"
 
 namespace somato::devices {
@@ -24,12 +22,6 @@ struct FeetechModel {
 /// The models that are known by name, and "STS" and "SCS" for any of a series.
 std::span<const FeetechModel> feetech_models();
 
-/// A servo as the device file declares it.
-struct FeetechServo {
-  std::uint8_t id = 1;  ///< 0 to 253.
-  std::string model;    ///< A name of feetech_models().
-};
-
 /// Feetech servos of one series that hold positions, in steps of 4096 (STS) or 1024 (SCS) in a
 /// turn.
 ///
@@ -42,25 +34,16 @@ struct FeetechServo {
 /// one by one: follow_up() polls the next when one has answered, and each tick begins behind the
 /// last one polled. A tick waits for an answer that may still arrive, because an adapter may be
 /// slower than a period. They report no current. The answers of both contain the error bits.
-/// Nothing is written to the EEPROM.
-class FeetechBus : public ServoBus {
+///
+/// Servos that do not know the instruction of a reboot must be switched off and on.
+class FeetechBus : public PacketBus {
  public:
   /// Throws InvalidArgument for no servos, an id that is not possible or occurs twice, an unknown
   /// model, or servos of both series.
-  explicit FeetechBus(std::vector<FeetechServo> servos);
+  explicit FeetechBus(const std::vector<PacketServo>& servos);
 
-  /// Also switches the torque of all servos on, with their present positions as goals.
   Result<void> start(wire::Exchange& exchange) override;
-
-  std::span<const std::uint8_t> tick(std::span<const double> positions, double seconds) override;
-  void receive(std::span<const std::uint8_t> bytes, double now) override;
   std::span<const std::uint8_t> follow_up() override;
-
-  /// A broadcast to all servos of the line, repeated: if the packet before it was cut off, servos
-  /// take the first ones for the rest of that packet.
-  std::span<const std::uint8_t> relax_bytes() const override { return relax_; }
-
-  bool reports_states() const override { return true; }
   bool reads_one_by_one() const override { return !is_sts(); }
 
   /// An SCS servo whose answer was lost is polled again after a wait.
@@ -69,58 +52,32 @@ class FeetechBus : public ServoBus {
   /// With all follow-ups.
   std::size_t bytes_per_tick() const override;
 
-  /// Servos that do not know the instruction must be switched off and on.
-  Result<void> reboot(std::size_t servo, wire::Exchange& exchange) override;
-
-  /// Problems found by start() that do not prevent the use of the servos.
-  const std::vector<std::string>& warnings() const { return warnings_; }
-
  private:
-  using Bytes = std::vector<std::uint8_t>;
-  struct Answer {
-    std::uint8_t error = 0;
-    Bytes data;
-  };
-  struct Servo {
-    FeetechServo declared;
-    const FeetechModel* model = nullptr;
-    double goal = 0.0;  // the last that was sent
-    GoalSpeed speed{};
-    double lowest = 0.0;
-    double highest = 0.0;
-  };
-
   bool is_sts() const { return series_ == wire::FeetechSeries::kSts; }
   std::size_t state_size() const;
-  std::uint16_t word(std::span<const std::uint8_t> bytes, std::size_t at) const;
-  template <typename Fill>
-  Bytes packet(const Fill& fill) const;
-  Result<Answer> read(const Servo& servo, std::uint8_t address, std::size_t size,
-                      wire::Exchange& exchange) const;
-  Result<void> write(const Servo& servo, std::uint8_t address, const Bytes& data,
-                     wire::Exchange& exchange) const;
-  Result<void> check(Servo& servo, wire::Exchange& exchange);
-  Result<void> check_limits(Servo& servo, std::span<const std::uint8_t> memory) const;
-  Result<void> hold(std::size_t servo, wire::Exchange& exchange);
-  Result<void> hold_all(wire::Exchange& exchange);
-  void write_goals(wire::FeetechWriter& to, std::span<const double> positions, double seconds);
-  void put_goal(wire::FeetechWriter& to, std::size_t servo, double goal, double seconds);
-  std::span<const std::uint8_t> poll_one(wire::FeetechWriter& to);
-  bool is_state(std::size_t servo, const wire::FeetechPacket& packet) const;
-  void take_state(std::size_t servo, const wire::FeetechPacket& packet, double now);
+  std::uint16_t word(Span bytes, std::size_t at) const;
 
-  std::vector<Servo> servos_;
-  std::vector<std::uint8_t> ids_;
-  std::array<std::uint8_t, 256> servo_of_id_{};
-  wire::FeetechSeries series_ = wire::FeetechSeries::kSts;
-  Bytes tick_;
-  Bytes relax_;
-  std::size_t polled_ = 0;   // the servo that was polled last
-  std::size_t to_poll_ = 0;  // how many are left in this tick
-  bool answered_ = true;     // whether it has answered
-  double waited_ = 0.0;      // the ticks' seconds since it was polled
-  wire::FeetechDecoder decoder_;
-  std::vector<std::string> warnings_;
+  Result<void> check(std::size_t servo, wire::Exchange& exchange) override;
+  Result<void> measure(std::size_t servo, wire::Exchange& exchange) override;
+  Result<void> write(const Servo& servo, std::uint16_t address, const Bytes& data,
+                     wire::Exchange& exchange) override;
+  Result<void> write_goal(std::size_t servo, wire::Exchange& exchange) override;
+  Result<void> restart(const Servo& servo, wire::Exchange& exchange) override;
+  void put_goal(wire::PacketWriter& to, std::size_t servo, double goal, double seconds) override;
+  void request_states(wire::PacketWriter& to, double seconds) override;
+  void take(std::size_t servo, const wire::Packet& packet, double now) override;
+
+  Result<void> check_limits(Servo& servo, Span memory) const;
+  void poll_one(wire::PacketWriter& to);
+  bool is_state(std::size_t servo, const wire::Packet& packet) const;
+  void take_state(std::size_t servo, std::uint8_t error, Span state, double now);
+
+  wire::FeetechSeries series_;
+  std::vector<const FeetechModel*> models_;  // of the servos
+  std::size_t polled_ = 0;                   // the servo that was polled last
+  std::size_t to_poll_ = 0;                  // how many are left in this tick
+  bool answered_ = true;                     // whether it has answered
+  double waited_ = 0.0;                      // the ticks' seconds since it was polled
 };
 
 }  // namespace somato::devices

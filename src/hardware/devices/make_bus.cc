@@ -18,22 +18,13 @@ std::unique_ptr<ServoBus> ssc32_bus(const DeviceFile& file) {
   return std::make_unique<Ssc32Bus>(std::move(channels));
 }
 
-std::unique_ptr<ServoBus> dynamixel_bus(const DeviceFile& file) {
-  std::vector<DynamixelServo> servos;
-  servos.reserve(file.servos.size());
-  for (const ServoSettings& servo : file.servos) {
-    servos.push_back({static_cast<std::uint8_t>(servo.channel), {}});
-  }
-  return std::make_unique<DynamixelBus>(std::move(servos));
-}
-
-std::unique_ptr<ServoBus> feetech_bus(const DeviceFile& file, const char* model) {
-  std::vector<FeetechServo> servos;
+std::vector<PacketServo> packet_servos(const DeviceFile& file, const char* model) {
+  std::vector<PacketServo> servos;
   servos.reserve(file.servos.size());
   for (const ServoSettings& servo : file.servos) {
     servos.push_back({static_cast<std::uint8_t>(servo.channel), model});
   }
-  return std::make_unique<FeetechBus>(std::move(servos));
+  return servos;
 }
 
 }  // namespace
@@ -44,13 +35,13 @@ std::unique_ptr<ServoBus> make_bus(const DeviceFile& file) {
     case BusKind::kSsc32:
       return ssc32_bus(file);
     case BusKind::kDynamixel:
-      return dynamixel_bus(file);
+      return std::make_unique<DynamixelBus>(packet_servos(file, ""));
     case BusKind::kSts:
-      return feetech_bus(file, "STS");
+      return std::make_unique<FeetechBus>(packet_servos(file, "STS"));
     case BusKind::kScs:
       break;
   }
-  return feetech_bus(file, "SCS");
+  return std::make_unique<FeetechBus>(packet_servos(file, "SCS"));
 }
 
 std::vector<std::uint8_t> relax_bytes_of(const DeviceFile& file) {

@@ -17,42 +17,36 @@ std::unique_ptr<EmulatedServos> ssc32_board(const devices::DeviceFile& file) {
   return std::make_unique<Ssc32Board>(std::move(channels));
 }
 
-std::unique_ptr<EmulatedServos> dynamixel_servos(const devices::DeviceFile& file) {
-  std::vector<EmulatedDynamixel> servos;
+template <typename Made>
+std::vector<Made> made_servos(const devices::DeviceFile& file, std::uint16_t model) {
+  std::vector<Made> servos;
   servos.reserve(file.servos.size());
   for (const devices::ServoSettings& servo : file.servos) {
-    EmulatedDynamixel made;
-    made.id = static_cast<std::uint8_t>(servo.channel);
-    made.position = servo.on_bus(servo.resting());
-    servos.push_back(made);
-  }
-  return std::make_unique<DynamixelServos>(std::move(servos));
-}
-
-std::unique_ptr<EmulatedServos> feetech_servos(const devices::DeviceFile& file,
-                                               wire::FeetechSeries series, std::uint16_t model) {
-  std::vector<EmulatedFeetech> servos;
-  servos.reserve(file.servos.size());
-  for (const devices::ServoSettings& servo : file.servos) {
-    EmulatedFeetech made;
+    Made made;
     made.id = static_cast<std::uint8_t>(servo.channel);
     made.model = model;
     made.position = servo.on_bus(servo.resting());
     servos.push_back(made);
   }
-  return std::make_unique<FeetechServos>(series, std::move(servos));
+  return servos;
+}
+
+std::unique_ptr<EmulatedServos> feetech_servos(const devices::DeviceFile& file,
+                                               wire::FeetechSeries series, std::uint16_t model) {
+  return std::make_unique<FeetechServos>(series, made_servos<EmulatedFeetech>(file, model));
 }
 
 }  // namespace
 
 std::unique_ptr<EmulatedServos> make_servos(const devices::DeviceFile& file) {
+  constexpr std::uint16_t kXc330 = 1240;
   constexpr std::uint16_t kSts3215 = 777;
   constexpr std::uint16_t kScs0009 = 1284;
   switch (file.servo_line->bus) {
     case devices::BusKind::kSsc32:
       return ssc32_board(file);
     case devices::BusKind::kDynamixel:
-      return dynamixel_servos(file);
+      return std::make_unique<DynamixelServos>(made_servos<EmulatedDynamixel>(file, kXc330));
     case devices::BusKind::kSts:
       return feetech_servos(file, wire::FeetechSeries::kSts, kSts3215);
     case devices::BusKind::kScs:

@@ -56,131 +56,52 @@ std::uint16_t dynamixel_crc(std::span<const std::uint8_t> bytes) {
   return static_cast<std::uint16_t>(crc);
 }
 
-void DynamixelWriter::append(std::uint8_t byte) {
-  require(next_ < out_.size(), "the packet needs more memory");
-  out_[next_++] = byte;
-}
-
-void DynamixelWriter::begin(std::uint8_t id, DynamixelInstruction instruction) {
-  start_ = next_ = size_;
+void DynamixelWriter::append_header(std::uint8_t id) {
   for (const std::uint8_t byte : kDynamixelHeader) append(byte);
   append(id);
-  append(0);  // the length, which end() knows
   append(0);
-  append(static_cast<std::uint8_t>(instruction));
+  append(0);
 }
 
 void DynamixelWriter::put8(std::uint8_t value) {
   append(value);
-  const std::size_t body = start_ + kDynamixelBody;
-  if (needs_stuffing(out_.subspan(body, next_ - body))) append(0xFD);
+  if (needs_stuffing(packet().subspan(kDynamixelBody))) append(0xFD);
 }
 
-void DynamixelWriter::put16(std::uint16_t value) {
-  put8(static_cast<std::uint8_t>(value & 0xFF));
-  put8(static_cast<std::uint8_t>(value >> 8));
-}
-
-void DynamixelWriter::put32(std::uint32_t value) {
-  put16(static_cast<std::uint16_t>(value & 0xFFFF));
-  put16(static_cast<std::uint16_t>(value >> 16));
-}
-
-void DynamixelWriter::put(std::span<const std::uint8_t> bytes) {
-  for (const std::uint8_t byte : bytes) put8(byte);
-}
-
-void DynamixelWriter::end() {
-  const std::size_t length = next_ - start_ - kDynamixelBody + kDynamixelCrcSize;
+void DynamixelWriter::complete() {
+  const auto bytes = packet();
+  const std::size_t length = bytes.size() - kDynamixelBody + kDynamixelCrcSize;
   require(length <= 0xFFFF, "the packet is too long");
-  out_[start_ + 5] = static_cast<std::uint8_t>(length & 0xFF);
-  out_[start_ + 6] = static_cast<std::uint8_t>(length >> 8);
-  const std::uint16_t crc = dynamixel_crc(out_.subspan(start_, next_ - start_));
+  bytes[5] = static_cast<std::uint8_t>(length & 0xFF);
+  bytes[6] = static_cast<std::uint8_t>(length >> 8);
+  const std::uint16_t crc = dynamixel_crc(bytes);
   append(static_cast<std::uint8_t>(crc & 0xFF));
   append(static_cast<std::uint8_t>(crc >> 8));
-  size_ = next_;
-}
-
-void DynamixelWriter::ping(std::uint8_t id) {
-  begin(id, DynamixelInstruction::kPing);
-  end();
-}
-
-void DynamixelWriter::read(std::uint8_t id, std::uint16_t address, std::uint16_t size) {
-  begin(id, DynamixelInstruction::kRead);
-  put16(address);
-  put16(size);
-  end();
-}
-
-void DynamixelWriter::write(std::uint8_t id, std::uint16_t address,
-                            std::span<const std::uint8_t> data) {
-  begin(id, DynamixelInstruction::kWrite);
-  put16(address);
-  put(data);
-  end();
-}
-
-void DynamixelWriter::reg_write(std::uint8_t id, std::uint16_t address,
-                                std::span<const std::uint8_t> data) {
-  begin(id, DynamixelInstruction::kRegWrite);
-  put16(address);
-  put(data);
-  end();
-}
-
-void DynamixelWriter::action(std::uint8_t id) {
-  begin(id, DynamixelInstruction::kAction);
-  end();
-}
-
-void DynamixelWriter::reboot(std::uint8_t id) {
-  begin(id, DynamixelInstruction::kReboot);
-  end();
-}
-
-void DynamixelWriter::sync_read(std::uint16_t address, std::uint16_t size,
-                                std::span<const std::uint8_t> ids) {
-  begin(kDynamixelEveryone, DynamixelInstruction::kSyncRead);
-  put16(address);
-  put16(size);
-  put(ids);
-  end();
-}
-
-void DynamixelWriter::begin_sync_write(std::uint16_t address, std::uint16_t size) {
-  begin(kDynamixelEveryone, DynamixelInstruction::kSyncWrite);
-  put16(address);
-  put16(size);
 }
 
 void DynamixelWriter::status(std::uint8_t id, std::uint8_t error,
                              std::span<const std::uint8_t> parameters) {
-  begin(id, DynamixelInstruction::kStatus);
+  begin(id, PacketInstruction::kStatus);
   put8(error);
   put(parameters);
   end();
 }
 
-void DynamixelDecoder::put(std::span<const std::uint8_t> bytes) {
-  buffer_.put(bytes);
-}
-
-std::optional<DynamixelPacket> DynamixelDecoder::next_status() {
+std::optional<Packet> DynamixelDecoder::next_status() {
   for (;;) {
     const auto packet = next();
-    if (!packet || packet->instruction == DynamixelInstruction::kStatus) return packet;
+    if (!packet || packet->instruction == PacketInstruction::kStatus) return packet;
   }
 }
 
-std::optional<DynamixelPacket> DynamixelDecoder::next_instruction() {
+std::optional<Packet> DynamixelDecoder::next_instruction() {
   for (;;) {
     const auto packet = next();
-    if (!packet || packet->instruction != DynamixelInstruction::kStatus) return packet;
+    if (!packet || packet->instruction != PacketInstruction::kStatus) return packet;
   }
 }
 
-std::optional<DynamixelPacket> DynamixelDecoder::next() {
+std::optional<Packet> DynamixelDecoder::next() {
   for (;;) {
     buffer_.drop(find_dynamixel_header(buffer_.bytes(), 0));
     const auto bytes = buffer_.bytes();
@@ -201,14 +122,14 @@ std::optional<DynamixelPacket> DynamixelDecoder::next() {
 }
 
 // The packet of `size` bytes at the beginning of the buffer, if its CRC is right.
-std::optional<DynamixelPacket> DynamixelDecoder::take(std::size_t size) {
+std::optional<Packet> DynamixelDecoder::take(std::size_t size) {
   const auto bytes = buffer_.bytes().first(size);
   const unsigned crc = bytes[size - 2] | static_cast<unsigned>(bytes[size - 1]) << 8;
   if (dynamixel_crc(bytes.first(size - kDynamixelCrcSize)) != crc) {
     buffer_.drop(1);
     return std::nullopt;
   }
-  DynamixelPacket packet;
+  Packet packet;
   packet.id = bytes[4];
   std::size_t count = 0;
   const auto body = bytes.subspan(kDynamixelBody, size - kDynamixelBody - kDynamixelCrcSize);
@@ -218,9 +139,9 @@ std::optional<DynamixelPacket> DynamixelDecoder::take(std::size_t size) {
     if (more && needs_stuffing(body.first(i + 1))) ++i;  // the byte that follows is stuffing
   }
   buffer_.drop(size);
-  packet.instruction = static_cast<DynamixelInstruction>(body_[0]);
+  packet.instruction = static_cast<PacketInstruction>(body_[0]);
   packet.parameters = std::span<const std::uint8_t>(body_).subspan(1, count - 1);
-  if (packet.instruction != DynamixelInstruction::kStatus) return packet;
+  if (packet.instruction != PacketInstruction::kStatus) return packet;
   if (count < 2) return std::nullopt;  // a status without an error is none
   packet.error = body_[1];
   packet.parameters = packet.parameters.subspan(1);

@@ -35,13 +35,6 @@ std::uint16_t feetech_word(std::span<const std::uint8_t> bytes, ByteOrder order)
   return static_cast<std::uint16_t>(high << 8 | low);
 }
 
-std::array<std::uint8_t, 2> feetech_bytes(std::uint16_t word, ByteOrder order) {
-  const auto low = static_cast<std::uint8_t>(word & 0xFF);
-  const auto high = static_cast<std::uint8_t>(word >> 8);
-  if (order == ByteOrder::kLowFirst) return {low, high};
-  return {high, low};
-}
-
 int feetech_signed(std::uint16_t word) {
   const int size = word & ~feetech::kNegative;
   return (word & feetech::kNegative) != 0 ? -size : size;
@@ -52,89 +45,17 @@ std::uint16_t feetech_unsigned(int value) {
   return static_cast<std::uint16_t>(value < 0 ? size | feetech::kNegative : size);
 }
 
-void FeetechWriter::begin(std::uint8_t id, std::uint8_t code) {
-  start_ = next_ = size_;
-  for (const std::uint8_t byte : {std::uint8_t{0xFF}, std::uint8_t{0xFF}, id}) put8(byte);
-  put8(0);  // the length, which end() knows
-  put8(code);
+void FeetechWriter::append_header(std::uint8_t id) {
+  for (const std::uint8_t byte : {std::uint8_t{0xFF}, std::uint8_t{0xFF}, id}) append(byte);
+  append(0);
 }
 
-void FeetechWriter::begin(std::uint8_t id, FeetechInstruction instruction) {
-  begin(id, static_cast<std::uint8_t>(instruction));
-}
-
-void FeetechWriter::put8(std::uint8_t value) {
-  require(next_ < out_.size(), "the packet needs more memory");
-  out_[next_++] = value;
-}
-
-void FeetechWriter::put16(std::uint16_t value) {
-  put(feetech_bytes(value, order_));
-}
-
-void FeetechWriter::put(std::span<const std::uint8_t> bytes) {
-  for (const std::uint8_t byte : bytes) put8(byte);
-}
-
-void FeetechWriter::end() {
-  const std::size_t length = next_ - start_ - 3;  // code, parameters and sum
+void FeetechWriter::complete() {
+  const auto bytes = packet();
+  const std::size_t length = bytes.size() - 3;  // code, parameters and sum
   require(length <= kFeetechLongestLength, "the packet is too long");
-  out_[start_ + 3] = static_cast<std::uint8_t>(length);
-  put8(feetech_sum(out_.subspan(start_ + 2, next_ - start_ - 2)));
-  size_ = next_;
-}
-
-void FeetechWriter::ping(std::uint8_t id) {
-  begin(id, FeetechInstruction::kPing);
-  end();
-}
-
-void FeetechWriter::read(std::uint8_t id, std::uint8_t address, std::uint8_t size) {
-  begin(id, FeetechInstruction::kRead);
-  put8(address);
-  put8(size);
-  end();
-}
-
-void FeetechWriter::write(std::uint8_t id, std::uint8_t address,
-                          std::span<const std::uint8_t> data) {
-  begin(id, FeetechInstruction::kWrite);
-  put8(address);
-  put(data);
-  end();
-}
-
-void FeetechWriter::reg_write(std::uint8_t id, std::uint8_t address,
-                              std::span<const std::uint8_t> data) {
-  begin(id, FeetechInstruction::kRegWrite);
-  put8(address);
-  put(data);
-  end();
-}
-
-void FeetechWriter::action(std::uint8_t id) {
-  begin(id, FeetechInstruction::kAction);
-  end();
-}
-
-void FeetechWriter::reboot(std::uint8_t id) {
-  begin(id, FeetechInstruction::kReboot);
-  end();
-}
-
-void FeetechWriter::sync_read(std::uint8_t address, std::uint8_t size,
-                              std::span<const std::uint8_t> ids) {
-  begin(kFeetechEveryone, FeetechInstruction::kSyncRead);
-  put8(address);
-  put8(size);
-  put(ids);
-  end();
-}
-
-void FeetechWriter::begin_sync_write(std::uint8_t address, std::uint8_t size) {
-  begin(kFeetechEveryone, FeetechInstruction::kSyncWrite);
-  put8(address);
-  put8(size);
+  bytes[3] = static_cast<std::uint8_t>(length);
+  append(feetech_sum(bytes.subspan(2)));
 }
 
 void FeetechWriter::status(std::uint8_t id, std::uint8_t error,
@@ -142,10 +63,6 @@ void FeetechWriter::status(std::uint8_t id, std::uint8_t error,
   begin(id, error);
   put(parameters);
   end();
-}
-
-void FeetechDecoder::put(std::span<const std::uint8_t> bytes) {
-  buffer_.put(bytes);
 }
 
 void FeetechDecoder::expect_echo(std::span<const std::uint8_t> sent) {
@@ -190,7 +107,7 @@ bool FeetechDecoder::skip_echo(std::size_t size) {
   return false;
 }
 
-std::optional<FeetechPacket> FeetechDecoder::next() {
+std::optional<Packet> FeetechDecoder::next() {
   for (;;) {
     const auto size = complete();
     if (!size) return std::nullopt;
@@ -199,7 +116,7 @@ std::optional<FeetechPacket> FeetechDecoder::next() {
     buffer_.drop(*size);
     const auto parameters =
         std::span<const std::uint8_t>(body_).subspan(5, *size - kFeetechFixedSize);
-    return FeetechPacket{body_[2], body_[4], parameters};
+    return Packet{body_[2], static_cast<PacketInstruction>(body_[4]), body_[4], parameters};
   }
 }
 

@@ -38,8 +38,8 @@ struct DynamixelHand {
     return all;
   }
 
-  static std::vector<DynamixelServo> declared(std::size_t count) {
-    std::vector<DynamixelServo> all;
+  static std::vector<PacketServo> declared(std::size_t count) {
+    std::vector<PacketServo> all;
     for (std::size_t i = 0; i < count; ++i) {
       all.push_back({static_cast<std::uint8_t>(i + 1), "XC330-M288"});
     }

@@ -42,8 +42,8 @@ struct FeetechHand {
     return all;
   }
 
-  static std::vector<FeetechServo> declared(FeetechSeries series, std::size_t count) {
-    std::vector<FeetechServo> all;
+  static std::vector<PacketServo> declared(FeetechSeries series, std::size_t count) {
+    std::vector<PacketServo> all;
     for (std::size_t i = 0; i < count; ++i) {
       all.push_back({static_cast<std::uint8_t>(i + 1),
                      series == FeetechSeries::kSts ? "STS3215" : "SCS0009"});

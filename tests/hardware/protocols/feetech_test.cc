@@ -36,7 +36,7 @@ std::vector<FeetechContent> contents(FeetechDecoder& decoder, const Bytes& bytes
   decoder.put(bytes);
   while (const auto packet = decoder.next()) {
     all.push_back(
-        {packet->id, packet->code, Bytes(packet->parameters.begin(), packet->parameters.end())});
+        {packet->id, packet->error, Bytes(packet->parameters.begin(), packet->parameters.end())});
   }
   return all;
 }
