@@ -11,10 +11,6 @@
 
 namespace somato::wire {
 
-using DynamixelInstruction = PacketInstruction;
-using DynamixelPacket = Packet;
-inline constexpr std::uint8_t kDynamixelEveryone = kEveryone;
-
 /// Error numbers in the status of a servo, and the bit that announces a hardware error.
 namespace dynamixel_error {
 inline constexpr std::uint8_t kResult = 1;

@@ -82,7 +82,7 @@ std::optional<std::size_t> FeetechDecoder::complete() {
     const auto bytes = buffer_.bytes();
     if (bytes.size() < 4) return std::nullopt;
     const std::size_t size = bytes[3] + std::size_t{4};
-    const std::size_t most = bytes[2] == kFeetechEveryone ? kLongest : longest_;
+    const std::size_t most = bytes[2] == kEveryone ? kLongest : longest_;
     const bool possible = size >= kFeetechFixedSize && size <= most;
     if (possible && bytes.size() < size) return std::nullopt;
     if (possible && feetech_sum(bytes.subspan(2, size - 3)) == bytes[size - 1]) return size;

@@ -11,10 +11,6 @@
 
 namespace somato::wire {
 
-using FeetechInstruction = PacketInstruction;
-using FeetechPacket = Packet;
-inline constexpr std::uint8_t kFeetechEveryone = kEveryone;
-
 /// Addresses in the memory of a servo. Source: Feetech, memory tables of the STS and SCSCL series.
 namespace feetech {
 inline constexpr std::uint8_t kModel = 3;             // 2 bytes

@@ -72,7 +72,7 @@ TEST(DynamixelServos, APingIsAnsweredAsInTheManual) {
   EXPECT_EQ(talk.exchange([](auto& to) { to.ping(1); }), one);
   Bytes both = one;
   both.insert(both.end(), two.begin(), two.end());
-  EXPECT_EQ(talk.exchange([](auto& to) { to.ping(wire::kDynamixelEveryone); }), both);
+  EXPECT_EQ(talk.exchange([](auto& to) { to.ping(wire::kEveryone); }), both);
   EXPECT_TRUE(talk.exchange([](auto& to) { to.ping(3); }).empty());
 }
 
@@ -92,7 +92,7 @@ TEST(DynamixelServos, AGoalDrivesOnlyWithTorque) {
   EXPECT_FALSE(talk.chain.driven_position(0));
   talk.write(1, dynamixel_x::kTorqueEnable, {1});
   EXPECT_EQ(talk.chain.driven_position(0), 1000.0);
-  talk.write(wire::kDynamixelEveryone, dynamixel_x::kTorqueEnable, {0});
+  talk.write(wire::kEveryone, dynamixel_x::kTorqueEnable, {0});
   EXPECT_FALSE(talk.chain.driven_position(0));
 }
 
@@ -198,7 +198,7 @@ TEST(DynamixelServos, ARegisteredWriteWaitsForTheAction) {
   DynamixelTalk talk({{.id = 1}}, false);
   talk.exchange([](auto& to) { to.reg_write(1, dynamixel_x::kTorqueEnable, Bytes{1}); });
   EXPECT_FALSE(talk.chain.driven_position(0));
-  talk.exchange([](auto& to) { to.action(wire::kDynamixelEveryone); });
+  talk.exchange([](auto& to) { to.action(wire::kEveryone); });
   EXPECT_TRUE(talk.chain.driven_position(0));
 }
 
@@ -261,9 +261,9 @@ TEST(DynamixelServos, NoPacketDoesHarm) {
   std::size_t answered = 0;
   for (int i = 0; i < 5000; ++i) {
     const Bytes sent = talk.exchange([&](auto& to) {
-      const std::uint8_t ids[] = {1, 2, 3, wire::kDynamixelEveryone};
+      const std::uint8_t ids[] = {1, 2, 3, wire::kEveryone};
       const std::uint8_t common[] = {1, 2, 3, 4, 5, 8, 0x82, 0x83, 0x10};
-      const auto instruction = static_cast<wire::DynamixelInstruction>(common[random.below(9)]);
+      const auto instruction = static_cast<wire::PacketInstruction>(common[random.below(9)]);
       to.begin(ids[random.below(4)], instruction);
       for (std::uint64_t left = random.below(20); left > 0; --left) {
         to.put8(random.below(3) == 0 ? testing::random_byte(random)

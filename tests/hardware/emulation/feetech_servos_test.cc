@@ -87,7 +87,7 @@ TEST(FeetechServos, AGoalDrivesOnlyWithTorqueAndWithinTheLimits) {
   EXPECT_EQ(talk.chain.driven_position(0), 2000.0);
   talk.write(1, feetech::kGoalPosition, {0x88, 0x13});  // 5000
   EXPECT_EQ(talk.chain.driven_position(0), 4095.0);
-  talk.write(wire::kFeetechEveryone, feetech::kTorqueEnable, {0});
+  talk.write(wire::kEveryone, feetech::kTorqueEnable, {0});
   EXPECT_FALSE(talk.chain.driven_position(0));
 }
 
@@ -181,7 +181,7 @@ TEST(FeetechServos, ARegisteredWriteWaitsForTheAction) {
   EXPECT_EQ(talk.exchange([](auto& to) { to.reg_write(1, feetech::kTorqueEnable, Bytes{1}); }),
             kDoneByServo1);
   EXPECT_FALSE(talk.chain.driven_position(0));
-  EXPECT_TRUE(talk.exchange([](auto& to) { to.action(wire::kFeetechEveryone); }).empty());
+  EXPECT_TRUE(talk.exchange([](auto& to) { to.action(wire::kEveryone); }).empty());
   EXPECT_TRUE(talk.chain.driven_position(0));
 }
 
@@ -216,7 +216,7 @@ TEST(FeetechServos, NoPacketDoesHarm) {
     std::size_t answered = 0;
     for (int i = 0; i < 5000; ++i) {
       const Bytes sent = talk.exchange([&](auto& to) {
-        const std::uint8_t ids[] = {1, 2, 3, wire::kFeetechEveryone};
+        const std::uint8_t ids[] = {1, 2, 3, wire::kEveryone};
         const std::uint8_t common[] = {1, 2, 3, 4, 5, 8, 0x82, 0x83, 0x10};
         to.begin(ids[random.below(4)], common[random.below(9)]);
         for (std::uint64_t left = random.below(20); left > 0; --left) {

@@ -23,7 +23,7 @@ struct DynamixelContent {
   bool operator==(const DynamixelContent&) const = default;
 };
 
-DynamixelContent content_of(const DynamixelPacket& packet) {
+DynamixelContent content_of(const Packet& packet) {
   return {packet.id, static_cast<int>(packet.instruction), packet.error,
           Bytes(packet.parameters.begin(), packet.parameters.end())};
 }
@@ -69,7 +69,7 @@ TEST(Dynamixel, InstructionsHaveTheBytesOfTheManual) {
   const Bytes velocity{0xC8, 0, 0, 0};
   const Bytes ids{1, 2};
   EXPECT_EQ(dynamixel_bytes([](auto& to) { to.ping(1); }), kDynamixelPing);
-  EXPECT_EQ(dynamixel_bytes([](auto& to) { to.ping(kDynamixelEveryone); }), kDynamixelPingEveryone);
+  EXPECT_EQ(dynamixel_bytes([](auto& to) { to.ping(kEveryone); }), kDynamixelPingEveryone);
   EXPECT_EQ(dynamixel_bytes([](auto& to) { to.read(1, 132, 4); }), kDynamixelRead);
   EXPECT_EQ(dynamixel_bytes([&](auto& to) { to.write(1, 116, goal); }), kDynamixelWrite);
   EXPECT_EQ(dynamixel_bytes([&](auto& to) { to.reg_write(1, 104, velocity); }), kDynamixelRegWrite);

@@ -62,7 +62,7 @@ TEST(Feetech, InstructionsHaveTheBytesOfTheManual) {
   EXPECT_EQ(feetech_packets([](auto& to) { to.read(1, 0x38, 2); }), kFeetechRead);
   EXPECT_EQ(feetech_packets([&](auto& to) { to.write(1, 0x2A, data); }), kFeetechWrite);
   EXPECT_EQ(feetech_packets([&](auto& to) { to.reg_write(2, 0x2A, data); }), kFeetechRegWrite);
-  EXPECT_EQ(feetech_packets([](auto& to) { to.action(kFeetechEveryone); }), kFeetechAction);
+  EXPECT_EQ(feetech_packets([](auto& to) { to.action(kEveryone); }), kFeetechAction);
   EXPECT_EQ(feetech_packets([](auto& to) { to.reboot(1); }), kFeetechReboot);
   EXPECT_EQ(feetech_packets([&](auto& to) { to.sync_read(0x38, 8, ids); }), kFeetechSyncRead);
   EXPECT_EQ(feetech_packets([](auto& to) {
