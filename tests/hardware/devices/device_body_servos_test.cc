@@ -238,7 +238,7 @@ TEST(ServoFaultsOfScs, SilenceIsNoticedAsSoonForManyServosAsForFew) {
 TEST(ServoFaultsOfScs, OneServoThatFallsSilentIsNoticed) {
   FaultyFingers fingers(faulty_device(BusKind::kScs));
   const Outcome outcome = outcome_of(fingers, [&] {
-    dynamic_cast<emulation::FeetechServos&>(fingers.servos()).set_silent(1, true);
+    fingers.chain().set_silent(1, true);
   });
   ASSERT_TRUE(outcome.stopped);
   EXPECT_NE(outcome.error.what.find("the servo 'index' gave no answer"), std::string::npos);

@@ -14,8 +14,7 @@
 
 #include "bodies/support/fake_hand.h"
 #include "hardware/device_files/device_text.h"
-#include "hardware/emulation/dynamixel_servos.h"
-#include "hardware/emulation/feetech_servos.h"
+#include "hardware/emulation/servo_chain.h"
 #include "hardware/emulation/sensor_board.h"
 #include "hardware/support/emulated_device.h"
 
@@ -115,12 +114,9 @@ class FaultyFingers {
     return !servos().driven_position(0) && !servos().driven_position(1);
   }
 
-  void overload(std::size_t servo) {
-    on_chain([&](auto& chain) { chain.overload(servo); });
-  }
-  void heat(std::size_t servo, std::uint8_t temperature) {
-    on_chain([&](auto& chain) { chain.heat(servo, temperature); });
-  }
+  emulation::ServoChain& chain() { return dynamic_cast<emulation::ServoChain&>(servos()); }
+  void overload(std::size_t servo) { chain().overload(servo); }
+  void heat(std::size_t servo, std::uint8_t temperature) { chain().heat(servo, temperature); }
 
   void at(double moment, std::function<void()> then) {
     moment_ = moment;
@@ -128,15 +124,6 @@ class FaultyFingers {
   }
 
  private:
-  template <typename Do>
-  void on_chain(const Do& work) {
-    if (auto* chain = dynamic_cast<emulation::DynamixelServos*>(&servos())) {
-      work(*chain);
-    } else {
-      work(dynamic_cast<emulation::FeetechServos&>(servos()));
-    }
-  }
-
   double beyond_now() {
     double beyond = 0.0;
     for (std::size_t i = 0; i < device.file.servos.size(); ++i) {
