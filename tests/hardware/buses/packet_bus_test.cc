@@ -21,48 +21,19 @@ using testing::start_error;
 namespace dynamixel_x = wire::dynamixel_x;
 namespace feetech = wire::feetech;
 
-/// A kind of bus, and its addresses and bytes for the laws of all of them.
-struct PacketBusCase {
-  BusKind kind;
-  std::uint16_t answers;  // a setting of 0 leaves most instructions unanswered
-  std::uint16_t return_delay, model, lowest;
-  std::size_t position_size;
-  std::uint32_t outside;  // a lowest position above that of the servo
-  const char* overload;   // message
-  Bytes relax;            // a packet without its check
-  std::size_t check_size;
-};
-
-PacketBusCase case_of(BusKind kind) {
-  if (kind == BusKind::kDynamixel) {
-    return {kind,
-            dynamixel_x::kStatusReturn,
-            dynamixel_x::kReturnDelay,
-            dynamixel_x::kModelNumber,
-            dynamixel_x::kMinPosition,
-            4,
-            2000,
-            "the servo reports a hardware error (overload)",
-            {0xFF, 0xFF, 0xFD, 0, 0xFE, 6, 0, 3, 64, 0, 0},
-            2};
-  }
-  const Bytes relax{0xFF, 0xFF, 0xFE, 4, 3, 40, 0};
-  return {kind,
-          feetech::kResponseLevel,
-          feetech::kReturnDelay,
-          feetech::kModel,
-          feetech::kMinPosition,
-          2,
-          400,
-          "the servo reports an error (overload)",
-          relax,
-          1};
-}
+const Bytes kDynamixelRelax{0xFF, 0xFF, 0xFD, 0, 0xFE, 6, 0, 3, 64, 0, 0};
+const Bytes kFeetechRelax{0xFF, 0xFF, 0xFE, 4, 3, 40, 0};
 
 class PacketBusTest : public ::testing::TestWithParam<BusKind> {
  protected:
   static BusKind kind() { return GetParam(); }
-  const PacketBusCase with = case_of(GetParam());
+
+  const bool dynamixel = kind() == BusKind::kDynamixel;
+  // A setting of 0 leaves most instructions unanswered.
+  const std::uint16_t answers = dynamixel ? dynamixel_x::kStatusReturn : feetech::kResponseLevel;
+  const std::uint16_t delay = dynamixel ? dynamixel_x::kReturnDelay : feetech::kReturnDelay;
+  const std::uint16_t model = dynamixel ? dynamixel_x::kModelNumber : feetech::kModel;
+  const std::uint16_t lowest = dynamixel ? dynamixel_x::kMinPosition : feetech::kMinPosition;
 };
 
 INSTANTIATE_TEST_SUITE_P(Buses, PacketBusTest,
@@ -79,7 +50,7 @@ TEST_P(PacketBusTest, StartHoldsEveryServoWhereItIs) {
   for (const bool echo : {false, true}) {
     for (const bool quiet : {false, true}) {
       PacketHand hand(kind(), 3, echo);
-      if (quiet) hand.servos->store(1, with.answers, 1, 0);
+      if (quiet) hand.servos->store(1, answers, 1, 0);
       const auto started = hand.start();
       ASSERT_TRUE(started) << to_string(started.error());
       for (std::size_t i = 0; i < 3; ++i) {
@@ -98,7 +69,7 @@ TEST_P(PacketBusTest, StartHoldsEveryServoWhereItIs) {
 
 TEST_P(PacketBusTest, StartWarnsOfAReturnDelay) {
   PacketHand hand(kind(), 2);
-  hand.servos->store(1, with.return_delay, 1, 250);
+  hand.servos->store(1, delay, 1, 250);
   ASSERT_TRUE(hand.start());
   ASSERT_EQ(hand.bus->warnings().size(), 1u);
   EXPECT_NE(hand.bus->warnings()[0].find("id 2: it waits 500 us"), std::string::npos);
@@ -109,20 +80,21 @@ TEST_P(PacketBusTest, StartNamesTheServoThatCannotBeUsed) {
   const Error silent = start_error(kind(), [](auto& servos) { servos.set_silent(1, true); });
   EXPECT_EQ(silent.kind, ErrorKind::kSystem);
   EXPECT_EQ(silent.where, "servo with id 2");
-  const Error model = start_error(kind(), [&](auto& servos) { servos.store(1, with.model, 2, 5); });
-  EXPECT_EQ(model.kind, ErrorKind::kData);
+  const Error other = start_error(kind(), [&](auto& servos) { servos.store(1, model, 2, 5); });
+  EXPECT_EQ(other.kind, ErrorKind::kData);
   const Error overload = start_error(kind(), [](auto& servos) { servos.overload(1); });
   EXPECT_EQ(overload.kind, ErrorKind::kSystem);
-  EXPECT_EQ(overload.what, with.overload);
+  EXPECT_EQ(overload.what, dynamixel ? "the servo reports a hardware error (overload)"
+                                     : "the servo reports an error (overload)");
   EXPECT_NE(overload.advice.find("reboot"), std::string::npos);
   const Error outside = start_error(kind(), [&](auto& servos) {
-    servos.store(1, with.lowest, with.position_size, with.outside);
+    servos.store(1, lowest, dynamixel ? 4 : 2, dynamixel ? 2000 : 400);
   });
   EXPECT_EQ(outside.kind, ErrorKind::kData);
 }
 
 TEST_P(PacketBusTest, StreamedGoalsMoveAServoEvenly) {
-  for (const bool timed : {false, kind() == BusKind::kDynamixel}) {
+  for (const bool timed : {false, dynamixel}) {
     PacketHand hand(kind(), 1);
     if (timed) hand.servos->store(0, dynamixel_x::kDriveMode, 1, dynamixel_x::kTimeBasedProfile);
     ASSERT_TRUE(hand.start());
@@ -171,9 +143,10 @@ TEST_P(PacketBusTest, AnOverloadIsReportedAndARebootEndsIt) {
     hand.servos->overload(1);
     hand.tick({kLeft, kLeft});
     EXPECT_EQ(hand.bus->reports()[0].error, 0);
-    const bool two_steps = kind() == BusKind::kDynamixel;  // the first says only that there is one
-    if (two_steps) EXPECT_EQ(hand.bus->reports()[1].error, DynamixelBus::kUnknownError);
-    if (two_steps) hand.tick({kLeft, kLeft});
+    if (dynamixel) {  // its answer says only that there is an error
+      EXPECT_EQ(hand.bus->reports()[1].error, DynamixelBus::kUnknownError);
+      hand.tick({kLeft, kLeft});
+    }
     EXPECT_EQ(hand.bus->reports()[1].error, feetech::kOverload);
     hand.servos->set_measured(1, 400.0, 0.0);
     const auto rebooted = hand.bus->reboot(1, hand.exchange);
@@ -197,18 +170,15 @@ TEST_P(PacketBusTest, AServoThatAnswersNothingKeepsItsOldReport) {
   EXPECT_FALSE(hand.bus->reboot(1, hand.exchange));
 }
 
-constexpr std::array<std::uint8_t, 4> kDynamixelHeader{0xFF, 0xFF, 0xFD, 0};
-
 // The packet that a simple servo reads last: it trusts each length that its memory can hold, and
 // drops a packet with a wrong check whole.
-Bytes last_packet_of_simple_servo(BusKind kind, const Bytes& bytes) {
-  const bool dynamixel = kind == BusKind::kDynamixel;
+Bytes last_packet_of_simple_servo(bool dynamixel, const Bytes& bytes) {
   const std::size_t head = dynamixel ? 7 : 4;  // as far as the length
   Bytes last;
   for (std::size_t at = 0; at + head <= bytes.size();) {
     const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at);
     const bool starts =
-        dynamixel ? std::equal(first, first + 4, kDynamixelHeader.begin()) && bytes[at + 6] == 0
+        dynamixel ? std::equal(first, first + 4, kDynamixelRelax.begin()) && bytes[at + 6] == 0
                   : first[0] == 0xFF && first[1] == 0xFF && first[2] != 0xFF && bytes[at + 3] >= 2;
     const std::size_t size = starts ? head + bytes[at + (dynamixel ? 5 : 3)] : 1;
     if (at + size > bytes.size()) break;
@@ -236,10 +206,11 @@ TEST_P(PacketBusTest, RelaxingWorksAfterAnyPartOfATick) {
     bytes.insert(bytes.end(), relax.begin(), relax.end());
     ASSERT_TRUE(hand.exchange.send(bytes));
     for (std::size_t i = 0; i < 3; ++i) EXPECT_FALSE(hand.servos->driven_position(i)) << cut;
-    Bytes last = last_packet_of_simple_servo(kind(), bytes);
-    ASSERT_EQ(last.size(), with.relax.size() + with.check_size) << cut;
-    last.resize(with.relax.size());
-    EXPECT_EQ(last, with.relax) << cut;
+    Bytes last = last_packet_of_simple_servo(dynamixel, bytes);
+    const Bytes& whole = dynamixel ? kDynamixelRelax : kFeetechRelax;
+    ASSERT_EQ(last.size(), whole.size() + (dynamixel ? 2 : 1)) << cut;
+    last.resize(whole.size());
+    EXPECT_EQ(last, whole) << cut;
     EXPECT_EQ(Bytes(hand.bus->relax_bytes().begin(), hand.bus->relax_bytes().end()), relax);
   }
 }

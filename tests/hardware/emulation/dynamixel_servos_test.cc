@@ -4,35 +4,22 @@
 
 #include <vector>
 
+#include "hardware/support/packet_contents.h"
 #include "hardware/support/servo_talk.h"
 
 namespace somato::emulation {
 namespace {
 
 using testing::Bytes;
+using testing::PacketContents;
 using testing::ServoTalk;
 namespace dynamixel_x = wire::dynamixel_x;
 namespace dynamixel_error = wire::dynamixel_error;
 
-struct DynamixelAnswer {
-  int id = 0;
-  int error = 0;
-  Bytes data;
-  bool operator==(const DynamixelAnswer&) const = default;
-};
-
-std::vector<DynamixelAnswer> dynamixel_answers(const Bytes& bytes) {
+PacketContents dynamixel_answers(const Bytes& bytes) {
   wire::DynamixelDecoder decoder;
-  decoder.put(bytes);
-  std::vector<DynamixelAnswer> all;
-  while (const auto packet = decoder.next_status()) {
-    all.push_back(
-        {packet->id, packet->error, Bytes(packet->parameters.begin(), packet->parameters.end())});
-  }
-  return all;
+  return testing::statuses(decoder, bytes);
 }
-
-using DynamixelAnswers = std::vector<DynamixelAnswer>;
 
 TEST(DynamixelServos, APingIsAnsweredAsInTheManual) {
   ServoTalk talk({{.id = 1, .model = 1030}, {.id = 2, .model = 1030}});
@@ -108,16 +95,16 @@ TEST(DynamixelServos, MeasuredValuesAreReadInUnitsOfTheServo) {
   ServoTalk talk({{.id = 1, .current_unit = 2.69}});
   talk.chain->set_measured(0, -3.4, -269.0);
   const auto all = dynamixel_answers(talk.read(1, dynamixel_x::kPresentCurrent, 10));
-  EXPECT_EQ(all, (DynamixelAnswers{{1, 0, {0x9C, 0xFF, 0, 0, 0, 0, 0xFD, 0xFF, 0xFF, 0xFF}}}));
+  EXPECT_EQ(all, (PacketContents{{1, 0, {0x9C, 0xFF, 0, 0, 0, 0, 0xFD, 0xFF, 0xFF, 0xFF}}}));
 }
 
 TEST(DynamixelServos, AnOverloadIsAnnouncedByEachAnswer) {
   ServoTalk talk({{.id = 1}});
   talk.chain->overload(0);
   EXPECT_EQ(dynamixel_answers(talk.read(1, dynamixel_x::kHardwareError, 1)),
-            (DynamixelAnswers{{1, dynamixel_error::kAlert, {dynamixel_x::kOverload}}}));
+            (PacketContents{{1, dynamixel_error::kAlert, {dynamixel_x::kOverload}}}));
   EXPECT_EQ(dynamixel_answers(talk.write(1, dynamixel_x::kTorqueEnable, {1})),
-            (DynamixelAnswers{{1, dynamixel_error::kAlert | dynamixel_error::kResult, {}}}));
+            (PacketContents{{1, dynamixel_error::kAlert | dynamixel_error::kResult, {}}}));
   EXPECT_EQ(dynamixel_answers(talk.exchange([](auto& to) { to.reboot(1); })).size(), 1u);
 }
 
@@ -137,9 +124,9 @@ TEST(DynamixelServos, WhatCannotBeWrittenIsRefused) {
   EXPECT_EQ(refusal(dynamixel_x::kReturnDelay, {1}), dynamixel_error::kAccess);
   EXPECT_EQ(talk.chain->eeprom_writes(), 1u);
   EXPECT_EQ(dynamixel_answers(talk.read(1, 300, 4)),
-            (DynamixelAnswers{{1, dynamixel_error::kAccess, {}}}));
+            (PacketContents{{1, dynamixel_error::kAccess, {}}}));
   EXPECT_EQ(dynamixel_answers(talk.exchange([](auto& to) { to.action(1); })),
-            (DynamixelAnswers{{1, dynamixel_error::kInstruction, {}}}));
+            (PacketContents{{1, dynamixel_error::kInstruction, {}}}));
 }
 
 TEST(DynamixelServos, TheStatusReturnLevelDecidesWhatIsAnswered) {

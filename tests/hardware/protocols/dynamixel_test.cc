@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/support/no_malloc.h"
-#include "hardware/support/damaged_streams.h"
+#include "hardware/support/packet_contents.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
 
@@ -14,19 +14,9 @@ namespace somato::wire {
 namespace {
 
 using testing::Bytes;
-
-struct DynamixelContent {
-  int id = 0;
-  int instruction = 0;
-  int error = 0;
-  Bytes parameters;
-  bool operator==(const DynamixelContent&) const = default;
-};
-
-DynamixelContent content_of(const Packet& packet) {
-  return {packet.id, static_cast<int>(packet.instruction), packet.error,
-          Bytes(packet.parameters.begin(), packet.parameters.end())};
-}
+using testing::PacketContent;
+using testing::PacketContents;
+using testing::statuses;
 
 Bytes written_by(const DynamixelWriter& writer) {
   return {writer.written().begin(), writer.written().end()};
@@ -39,13 +29,6 @@ Bytes dynamixel_bytes(const Fill& fill) {
   DynamixelWriter writer(memory);
   fill(writer);
   return written_by(writer);
-}
-
-std::vector<DynamixelContent> dynamixel_statuses(DynamixelDecoder& decoder, const Bytes& bytes) {
-  std::vector<DynamixelContent> all;
-  decoder.put(bytes);
-  while (const auto packet = decoder.next_status()) all.push_back(content_of(*packet));
-  return all;
 }
 
 // The packets of the protocol's description in the e-Manual of the maker.
@@ -94,12 +77,9 @@ TEST(Dynamixel, StatusesHaveTheBytesOfTheManual) {
   EXPECT_EQ(dynamixel_bytes([&](auto& to) { to.status(1, 0, position); }), kDynamixelReadStatus);
   EXPECT_EQ(dynamixel_bytes([](auto& to) { to.status(1, 0, {}); }), kDynamixelDone);
   DynamixelDecoder decoder;
-  EXPECT_EQ(dynamixel_statuses(decoder, kDynamixelPingStatus),
-            (std::vector<DynamixelContent>{{1, 0x55, 0, model}}));
-  EXPECT_EQ(dynamixel_statuses(decoder, kDynamixelReadStatus),
-            (std::vector<DynamixelContent>{{1, 0x55, 0, position}}));
-  EXPECT_EQ(dynamixel_statuses(decoder, kDynamixelDone),
-            (std::vector<DynamixelContent>{{1, 0x55, 0, {}}}));
+  EXPECT_EQ(statuses(decoder, kDynamixelPingStatus), (PacketContents{{1, 0, model}}));
+  EXPECT_EQ(statuses(decoder, kDynamixelReadStatus), (PacketContents{{1, 0, position}}));
+  EXPECT_EQ(statuses(decoder, kDynamixelDone), (PacketContents{{1, 0, {}}}));
 }
 
 TEST(Dynamixel, AServoFindsTheInstructionAndSkipsAnswersOfOthers) {
@@ -109,8 +89,11 @@ TEST(Dynamixel, AServoFindsTheInstructionAndSkipsAnswersOfOthers) {
   decoder.put(kDynamixelDone);
   const auto packet = decoder.next_instruction();
   ASSERT_TRUE(packet);
-  EXPECT_EQ(content_of(*packet),
-            (DynamixelContent{0xFE, 0x83, 0, {0x74, 0, 4, 0, 1, 0x96, 0, 0, 0, 2, 0xAA, 0, 0, 0}}));
+  EXPECT_EQ(packet->id, kEveryone);
+  EXPECT_EQ(packet->instruction, PacketInstruction::kSyncWrite);
+  EXPECT_EQ(packet->error, 0);
+  EXPECT_EQ(Bytes(packet->parameters.begin(), packet->parameters.end()),
+            (Bytes{0x74, 0, 4, 0, 1, 0x96, 0, 0, 0, 2, 0xAA, 0, 0, 0}));
   EXPECT_FALSE(decoder.next_instruction());
 }
 
@@ -119,7 +102,7 @@ TEST(Dynamixel, AHostSkipsTheEchoOfItsInstructions) {
   Bytes bytes = kDynamixelSyncWrite;
   bytes.insert(bytes.end(), kDynamixelSyncRead.begin(), kDynamixelSyncRead.end());
   bytes.insert(bytes.end(), kDynamixelReadStatus.begin(), kDynamixelReadStatus.end());
-  EXPECT_EQ(dynamixel_statuses(decoder, bytes).size(), 1u);
+  EXPECT_EQ(statuses(decoder, bytes).size(), 1u);
 }
 
 TEST(Dynamixel, ADataHeaderIsStuffed) {
@@ -129,16 +112,15 @@ TEST(Dynamixel, ADataHeaderIsStuffed) {
   EXPECT_EQ(body, (Bytes{0xFF, 0xFF, 0xFD, 0xFD, 0x00, 0xFF, 0xFF, 0xFD, 0xFD, 0xFD}));
   EXPECT_EQ(bytes[5], 14);  // instruction, error, 10 bytes and CRC
   DynamixelDecoder decoder;
-  EXPECT_EQ(dynamixel_statuses(decoder, bytes),
-            (std::vector<DynamixelContent>{{1, 0x55, 0, data}}));
+  EXPECT_EQ(statuses(decoder, bytes), (PacketContents{{1, 0, data}}));
 }
 
 TEST(Dynamixel, PacketsArriveInPieces) {
   DynamixelDecoder decoder;
   for (std::size_t i = 0; i + 1 < kDynamixelReadStatus.size(); ++i) {
-    EXPECT_TRUE(dynamixel_statuses(decoder, {kDynamixelReadStatus[i]}).empty());
+    EXPECT_TRUE(statuses(decoder, {kDynamixelReadStatus[i]}).empty());
   }
-  EXPECT_EQ(dynamixel_statuses(decoder, {kDynamixelReadStatus.back()}).size(), 1u);
+  EXPECT_EQ(statuses(decoder, {kDynamixelReadStatus.back()}).size(), 1u);
 }
 
 TEST(Dynamixel, ACutOrImpossiblePacketDoesNotHideTheNext) {
@@ -155,7 +137,7 @@ TEST(Dynamixel, ACutOrImpossiblePacketDoesNotHideTheNext) {
   for (Bytes bytes : starts) {
     bytes.insert(bytes.end(), kDynamixelPingStatus.begin(), kDynamixelPingStatus.end());
     DynamixelDecoder decoder;
-    EXPECT_EQ(dynamixel_statuses(decoder, bytes).size(), 1u);
+    EXPECT_EQ(statuses(decoder, bytes).size(), 1u);
   }
 }
 
@@ -164,7 +146,7 @@ TEST(Dynamixel, AWrongCrcIsRefused) {
     Bytes bytes = kDynamixelPingStatus;
     bytes[i] ^= 0x10;
     DynamixelDecoder decoder;
-    EXPECT_TRUE(dynamixel_statuses(decoder, bytes).empty()) << i;
+    EXPECT_TRUE(statuses(decoder, bytes).empty()) << i;
   }
 }
 
@@ -179,9 +161,8 @@ TEST(Dynamixel, APacketLongerThanTheLongestIsRefused) {
   DynamixelDecoder decoder;
   Bytes bytes = dynamixel_bytes([](auto& to) { to.status(1, 0, Bytes(1500)); });
   bytes.insert(bytes.end(), kDynamixelDone.begin(), kDynamixelDone.end());
-  EXPECT_EQ(dynamixel_statuses(decoder, bytes).size(), 1u);
-  EXPECT_EQ(dynamixel_statuses(decoder,
-                               dynamixel_bytes([](auto& to) { to.status(1, 0, Bytes(1024 - 11)); }))
+  EXPECT_EQ(statuses(decoder, bytes).size(), 1u);
+  EXPECT_EQ(statuses(decoder, dynamixel_bytes([](auto& to) { to.status(1, 0, Bytes(1024 - 11)); }))
                 .size(),
             1u);
 }
@@ -199,7 +180,7 @@ unsigned slow_crc(const Bytes& bytes) {
 }
 
 // A whole packet, in the order in which the e-Manual describes its reception.
-DynamixelContent slowly_decoded(Bytes bytes) {
+PacketContent slowly_decoded(Bytes bytes) {
   const unsigned crc = bytes[bytes.size() - 2] + 256U * bytes[bytes.size() - 1];
   bytes.resize(bytes.size() - 2);
   EXPECT_EQ(slow_crc(bytes), crc);
@@ -211,7 +192,8 @@ DynamixelContent slowly_decoded(Bytes bytes) {
                           bytes[i - 2] == 0xFF && bytes[i - 3] == 0xFF;
     if (!stuffing) body.push_back(bytes[i]);
   }
-  return {bytes[4], body[0], body[1], Bytes(body.begin() + 2, body.end())};
+  EXPECT_EQ(body[0], 0x55);
+  return {bytes[4], body[1], Bytes(body.begin() + 2, body.end())};
 }
 
 Bytes random_status(Random& random, std::size_t most) {
@@ -230,20 +212,17 @@ TEST(Dynamixel, RandomPacketsAreDecodedAsByASlowDecoder) {
   DynamixelDecoder decoder;
   for (int i = 0; i < 3000; ++i) {
     const Bytes bytes = random_status(random, 300);
-    ASSERT_EQ(dynamixel_statuses(decoder, bytes),
-              std::vector<DynamixelContent>{slowly_decoded(bytes)});
+    ASSERT_EQ(statuses(decoder, bytes), PacketContents{slowly_decoded(bytes)});
   }
 }
 
 // Puts a stream into `decoder` in pieces of random size.
-std::vector<DynamixelContent> statuses_in_pieces(DynamixelDecoder& decoder, const Bytes& bytes,
-                                                 Random& random) {
-  std::vector<DynamixelContent> all;
+PacketContents statuses_in_pieces(DynamixelDecoder& decoder, const Bytes& bytes, Random& random) {
+  PacketContents all;
   for (std::size_t at = 0; at < bytes.size();) {
     const std::size_t size = std::min<std::size_t>(1 + random.below(200), bytes.size() - at);
     const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto some =
-        dynamixel_statuses(decoder, Bytes(first, first + static_cast<std::ptrdiff_t>(size)));
+    const auto some = statuses(decoder, Bytes(first, first + static_cast<std::ptrdiff_t>(size)));
     all.insert(all.end(), some.begin(), some.end());
     at += size;
   }
@@ -253,7 +232,7 @@ std::vector<DynamixelContent> statuses_in_pieces(DynamixelDecoder& decoder, cons
 TEST(Dynamixel, EveryWholePacketOfADamagedStreamIsDecodedAndNoWrongOne) {
   Random random(2);
   std::vector<Bytes> packets;
-  std::vector<DynamixelContent> all;
+  PacketContents all;
   for (int i = 0; i < 100'000; ++i) {
     packets.push_back(random_status(random, 24));
     all.push_back(slowly_decoded(packets.back()));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/support/no_malloc.h"
-#include "hardware/support/damaged_streams.h"
+#include "hardware/support/packet_contents.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
 
@@ -15,13 +15,9 @@ namespace somato::wire {
 namespace {
 
 using testing::Bytes;
-
-struct FeetechContent {
-  int id = 0;
-  int code = 0;
-  Bytes parameters;
-  bool operator==(const FeetechContent&) const = default;
-};
+using testing::PacketContent;
+using testing::PacketContents;
+using testing::statuses;
 
 template <typename Fill>
 Bytes feetech_packets(const Fill& fill, ByteOrder order = ByteOrder::kLowFirst) {
@@ -29,16 +25,6 @@ Bytes feetech_packets(const Fill& fill, ByteOrder order = ByteOrder::kLowFirst) 
   FeetechWriter writer(memory, order);
   fill(writer);
   return {writer.written().begin(), writer.written().end()};
-}
-
-std::vector<FeetechContent> contents(FeetechDecoder& decoder, const Bytes& bytes) {
-  std::vector<FeetechContent> all;
-  decoder.put(bytes);
-  while (const auto packet = decoder.next()) {
-    all.push_back(
-        {packet->id, packet->error, Bytes(packet->parameters.begin(), packet->parameters.end())});
-  }
-  return all;
 }
 
 // The packets of the maker's description of the protocol.
@@ -83,14 +69,14 @@ TEST(Feetech, StatusesHaveTheBytesOfTheManual) {
   const Bytes position{0x18, 5};
   EXPECT_EQ(feetech_packets([](auto& to) { to.status(1, 0, {}); }), kFeetechDone);
   EXPECT_EQ(feetech_packets([&](auto& to) { to.status(1, 0, position); }), kFeetechReadStatus);
-  EXPECT_EQ(contents(decoder, kFeetechReadStatus), (std::vector<FeetechContent>{{1, 0, position}}));
+  EXPECT_EQ(statuses(decoder, kFeetechReadStatus), (PacketContents{{1, 0, position}}));
   EXPECT_EQ(feetech_word(position, ByteOrder::kLowFirst), 1304);
   // The two answers to kFeetechSyncRead, one after the other.
   const auto both =
-      contents(decoder, {0xFF, 0xFF, 1, 10, 0, 0,    8, 0, 0, 0, 0, 0x79, 0x1E, 0x55,
+      statuses(decoder, {0xFF, 0xFF, 1, 10, 0, 0,    8, 0, 0, 0, 0, 0x79, 0x1E, 0x55,
                          0xFF, 0xFF, 2, 10, 0, 0xFF, 7, 0, 0, 0, 0, 0x77, 0x23, 0x53});
   ASSERT_EQ(both.size(), 2u);
-  EXPECT_EQ(both[1], (FeetechContent{2, 0, {0xFF, 7, 0, 0, 0, 0, 0x77, 0x23}}));
+  EXPECT_EQ(both[1], (PacketContent{2, 0, {0xFF, 7, 0, 0, 0, 0, 0x77, 0x23}}));
 }
 
 TEST(Feetech, TheSeriesOrderTheBytesOfANumberDifferently) {
@@ -116,8 +102,8 @@ TEST(Feetech, TheEchoOfWhatWasSentIsSkippedOnce) {
   decoder.expect_echo(sent);
   Bytes bytes = sent;
   bytes.insert(bytes.end(), kFeetechReadStatus.begin(), kFeetechReadStatus.end());
-  EXPECT_EQ(contents(decoder, bytes), (std::vector<FeetechContent>{{1, 0, {0x18, 5}}}));
-  EXPECT_EQ(contents(decoder, kFeetechRead).size(), 1u);  // a second time it is no echo
+  EXPECT_EQ(statuses(decoder, bytes), (PacketContents{{1, 0, {0x18, 5}}}));
+  EXPECT_EQ(statuses(decoder, kFeetechRead).size(), 1u);  // a second time it is no echo
 }
 
 TEST(Feetech, AnEchoIsSkippedThoughTheOneBeforeWasLost) {
@@ -125,7 +111,7 @@ TEST(Feetech, AnEchoIsSkippedThoughTheOneBeforeWasLost) {
   Bytes sent = kFeetechSyncWrite;
   sent.insert(sent.end(), kFeetechRead.begin(), kFeetechRead.end());
   decoder.expect_echo(sent);
-  EXPECT_TRUE(contents(decoder, kFeetechRead).empty());
+  EXPECT_TRUE(statuses(decoder, kFeetechRead).empty());
 }
 
 TEST(Feetech, DataOfAnEchoAreNoAnswer) {
@@ -137,7 +123,7 @@ TEST(Feetech, DataOfAnEchoAreNoAnswer) {
     to.end();
   });
   decoder.expect_echo(sent);
-  EXPECT_TRUE(contents(decoder, sent).empty());
+  EXPECT_TRUE(statuses(decoder, sent).empty());
 }
 
 TEST(Feetech, ACutOrImpossiblePacketDoesNotHideTheNext) {
@@ -151,7 +137,7 @@ TEST(Feetech, ACutOrImpossiblePacketDoesNotHideTheNext) {
   for (Bytes bytes : starts) {
     bytes.insert(bytes.end(), kFeetechReadStatus.begin(), kFeetechReadStatus.end());
     FeetechDecoder decoder(10);
-    EXPECT_EQ(contents(decoder, bytes).size(), 1u) << bytes.size();
+    EXPECT_EQ(statuses(decoder, bytes).size(), 1u) << bytes.size();
   }
 }
 
@@ -160,7 +146,7 @@ TEST(Feetech, AWrongSumIsRefused) {
     Bytes bytes = kFeetechReadStatus;
     bytes[i] ^= 0x10;
     FeetechDecoder decoder(10);
-    EXPECT_TRUE(contents(decoder, bytes).empty()) << i;
+    EXPECT_TRUE(statuses(decoder, bytes).empty()) << i;
   }
 }
 
@@ -173,10 +159,10 @@ TEST(Feetech, MemoryThatIsTooSmallAndPacketsThatAreTooLongAreRefused) {
 }
 
 // One of `often` parameters or more is 255.
-FeetechContent random_content(Random& random, std::size_t size, std::uint64_t often) {
-  FeetechContent content;
+PacketContent random_content(Random& random, std::size_t size, std::uint64_t often) {
+  PacketContent content;
   content.id = static_cast<int>(random.below(254));
-  content.code = static_cast<int>(random.below(64));
+  content.error = static_cast<int>(random.below(64));
   content.parameters.resize(size);
   for (std::uint8_t& byte : content.parameters) {
     byte = random.below(often) == 0 ? std::uint8_t{0xFF} : testing::random_byte(random);
@@ -184,10 +170,10 @@ FeetechContent random_content(Random& random, std::size_t size, std::uint64_t of
   return content;
 }
 
-Bytes packet_of(const FeetechContent& content) {
+Bytes packet_of(const PacketContent& content) {
   Bytes bytes{0xFF, 0xFF, static_cast<std::uint8_t>(content.id),
               static_cast<std::uint8_t>(content.parameters.size() + 2),
-              static_cast<std::uint8_t>(content.code)};
+              static_cast<std::uint8_t>(content.error)};
   bytes.insert(bytes.end(), content.parameters.begin(), content.parameters.end());
   int sum = 0;
   for (std::size_t i = 2; i < bytes.size(); ++i) sum += bytes[i];
@@ -199,12 +185,12 @@ TEST(Feetech, RandomPacketsAreCodedAsByASlowCoder) {
   Random random(1);
   FeetechDecoder decoder;
   for (int i = 0; i < 3000; ++i) {
-    const FeetechContent content = random_content(random, random.below(250), 4);
+    const PacketContent content = random_content(random, random.below(250), 4);
     const Bytes bytes = packet_of(content);
     const auto id = static_cast<std::uint8_t>(content.id);
-    const auto code = static_cast<std::uint8_t>(content.code);
+    const auto code = static_cast<std::uint8_t>(content.error);
     ASSERT_EQ(feetech_packets([&](auto& to) { to.status(id, code, content.parameters); }), bytes);
-    ASSERT_EQ(contents(decoder, bytes), std::vector<FeetechContent>{content});
+    ASSERT_EQ(statuses(decoder, bytes), PacketContents{content});
   }
 }
 
@@ -216,25 +202,25 @@ TEST(Feetech, AMissingByte255IsNotNoticed) {
   const std::uint8_t sum = bytes.back();
   bytes.erase(bytes.begin() + 6);
   bytes.insert(bytes.end(), kFeetechDone.begin(), kFeetechDone.end());
-  EXPECT_EQ(contents(decoder, bytes), (std::vector<FeetechContent>{{1, 0, {7, 8, sum}}}));
+  EXPECT_EQ(statuses(decoder, bytes), (PacketContents{{1, 0, {7, 8, sum}}}));
 }
 
 // An accident hides the packets that it covers, so that whole ones are lost.
 TEST(Feetech, WholePacketsOfADamagedStreamAreDecodedExceptBehindAccidents) {
   Random random(2);
   std::vector<Bytes> packets;
-  std::vector<FeetechContent> all;
+  PacketContents all;
   for (int i = 0; i < 100'000; ++i) {
     all.push_back(random_content(random, 15, 256));  // the answer of an STS servo in each tick
     packets.push_back(packet_of(all.back()));
   }
   const auto stream = testing::damaged_stream(packets, 0.001, 64, random);
   FeetechDecoder decoder(packets[0].size());
-  std::vector<FeetechContent> found;
+  PacketContents found;
   for (std::size_t at = 0; at < stream.bytes.size(); at += 100) {
     const auto first = stream.bytes.begin() + static_cast<std::ptrdiff_t>(at);
     const auto size = std::min<std::size_t>(100, stream.bytes.size() - at);
-    const auto some = contents(decoder, Bytes(first, first + static_cast<std::ptrdiff_t>(size)));
+    const auto some = statuses(decoder, Bytes(first, first + static_cast<std::ptrdiff_t>(size)));
     found.insert(found.end(), some.begin(), some.end());
   }
   const auto count = testing::compare_with_sent(found, all, stream.whole);

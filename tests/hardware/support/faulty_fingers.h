@@ -14,8 +14,8 @@
 
 #include "bodies/support/fake_hand.h"
 #include "hardware/device_files/device_text.h"
-#include "hardware/emulation/servo_chain.h"
 #include "hardware/emulation/sensor_board.h"
+#include "hardware/emulation/servo_chain.h"
 #include "hardware/support/emulated_device.h"
 
 namespace somato::testing {
