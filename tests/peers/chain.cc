@@ -61,7 +61,9 @@ struct Words {
 };
 
 // Writes the request that the words describe by `writer`.
-std::string encoded(wire::PacketWriter&& writer, Words& words) {
+std::string encoded(wire::PacketWriter& writer, Words& words) {
+  Bytes memory(2048);
+  writer.use(memory);
   const auto what = words.next<std::string>();
   const bool everyone = what == "sync_read" || what == "sync_write";
   const std::uint8_t id = everyone ? std::uint8_t{0} : words.byte();
@@ -82,17 +84,7 @@ std::string encoded(wire::PacketWriter&& writer, Words& words) {
   return hex_of(writer.written());
 }
 
-std::string encode(Words& words, const devices::DynamixelBus&, FeetechSeries) {
-  Bytes memory(2048);
-  return encoded(wire::DynamixelWriter(memory), words);
-}
-
-std::string encode(Words& words, const devices::FeetechBus&, FeetechSeries series) {
-  Bytes memory(2048);
-  return encoded(wire::FeetechWriter(memory, wire::feetech_order(series)), words);
-}
-
-std::string known_models(const devices::DynamixelBus&) {
+std::string known_models() {
   std::string text;
   for (const auto& model : devices::dynamixel_models()) {
     text += fmt::format("{} {} {} ", model.name, model.number, model.current_unit);
@@ -100,15 +92,14 @@ std::string known_models(const devices::DynamixelBus&) {
   return text;
 }
 
-std::string known_models(const devices::FeetechBus&) {
-  return {};
-}
-
 // One chain, the bus that drives it, and the commands of a test.
-template <typename Servos, typename Bus>
 struct Peer {
-  Peer(std::unique_ptr<Servos> chain, std::unique_ptr<Bus> driver, FeetechSeries kind)
-      : servos(std::move(chain)), bus(std::move(driver)), series(kind), line(*servos) {}
+  Peer(std::unique_ptr<emulation::ServoChain> chain, std::unique_ptr<devices::PacketBus> driver,
+       std::unique_ptr<wire::PacketWriter> encoder)
+      : servos(std::move(chain)),
+        bus(std::move(driver)),
+        writer(std::move(encoder)),
+        line(*servos) {}
 
   std::string send(const Bytes& bytes) {
     const std::size_t before = line.sent.size();
@@ -145,11 +136,11 @@ struct Peer {
     const auto what = words.next<std::string>();
     if (what == "send") return send(words.bytes());
     if (what == "wait") return wait(words.next<double>()), "";
-    if (what == "encode") return encode(words, *bus, series);
+    if (what == "encode") return encoded(*writer, words);
     if (what == "start") return start();
     if (what == "tick") return tick(words);
     if (what == "relax") return hex_of(bus->relax_bytes());
-    if (what == "models") return known_models(*bus);
+    if (what == "models") return known_models();
     const auto servo = words.next<std::size_t>();
     if (what == "driven") return driven(servo);
     if (what == "overload") return servos->overload(servo), "";
@@ -158,9 +149,9 @@ struct Peer {
     return "unknown command";
   }
 
-  std::unique_ptr<Servos> servos;
-  std::unique_ptr<Bus> bus;
-  FeetechSeries series;
+  std::unique_ptr<emulation::ServoChain> servos;
+  std::unique_ptr<devices::PacketBus> bus;
+  std::unique_ptr<wire::PacketWriter> writer;
   testing::BoardLine line;
 };
 
@@ -179,7 +170,8 @@ void serve_dynamixel(std::uint8_t count) {
     declared.push_back({id, "XC330-M288"});
   }
   serve(Peer(std::make_unique<emulation::DynamixelServos>(made),
-             std::make_unique<devices::DynamixelBus>(declared), FeetechSeries::kSts));
+             std::make_unique<devices::DynamixelBus>(declared),
+             std::make_unique<wire::DynamixelWriter>()));
 }
 
 void serve_feetech(FeetechSeries series, std::uint8_t count) {
@@ -191,7 +183,8 @@ void serve_feetech(FeetechSeries series, std::uint8_t count) {
     declared.push_back({id, sts ? "STS3215" : "SCS0009"});
   }
   serve(Peer(std::make_unique<emulation::FeetechServos>(series, made),
-             std::make_unique<devices::FeetechBus>(declared), series));
+             std::make_unique<devices::FeetechBus>(declared),
+             std::make_unique<wire::FeetechWriter>(wire::feetech_order(series))));
 }
 
 // Writes and reads the frames of a skin. Numbers are written with all their digits.

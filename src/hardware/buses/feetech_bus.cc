@@ -61,11 +61,11 @@ std::span<const FeetechModel> feetech_models() {
 }
 
 FeetechBus::FeetechBus(const std::vector<PacketServo>& servos)
-    : PacketBus(kFeetechServos, servos,
-                {std::make_unique<wire::FeetechWriter>(
-                     std::span<std::uint8_t>{}, wire::feetech_order(feetech_series_of(servos))),
-                 std::make_unique<wire::FeetechDecoder>(6 + kFeetechStsStateSize),
-                 std::make_unique<wire::FeetechDecoder>(kFeetechLongestAnswer)}),
+    : PacketBus(
+          kFeetechServos, servos,
+          {std::make_unique<wire::FeetechWriter>(wire::feetech_order(feetech_series_of(servos))),
+           std::make_unique<wire::FeetechDecoder>(6 + kFeetechStsStateSize),
+           std::make_unique<wire::FeetechDecoder>(kFeetechLongestAnswer)}),
       series_(feetech_series_of(servos)) {
   for (const PacketServo& servo : servos) {
     models_.push_back(feetech_model_of(servo));

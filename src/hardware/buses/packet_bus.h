@@ -28,8 +28,8 @@ struct PacketServoKind {
   unsigned highest_id = 0;
   std::uint16_t torque = 0;
   std::uint16_t return_delay = 0;
-  std::uint16_t goals = 0;      ///< Of a sync write.
-  std::uint16_t goal_size = 0;  ///< Of one servo, in a sync write.
+  std::uint16_t goals = 0;      ///< The first address of a sync write.
+  std::uint16_t goal_size = 0;  ///< The data of one servo in it.
   std::uint8_t refusal = 0;     ///< Bits in the error of an answer that refuse the request.
   std::string_view error;       ///< The name of an error that a servo reports about itself.
   std::array<std::string_view, 6> errors{};  ///< The names of its bits.

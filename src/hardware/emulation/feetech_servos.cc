@@ -31,8 +31,7 @@ ServoMemory feetech_memory(wire::FeetechSeries series) {
 FeetechServos::FeetechServos(wire::FeetechSeries series, const std::vector<EmulatedFeetech>& servos,
                              bool echo)
     : ServoChain(feetech_memory(series), servos.size(), echo,
-                 std::make_unique<wire::FeetechWriter>(std::span<std::uint8_t>{},
-                                                       wire::feetech_order(series)),
+                 std::make_unique<wire::FeetechWriter>(wire::feetech_order(series)),
                  std::make_unique<wire::FeetechDecoder>()),
       series_(series) {
   for (std::size_t i = 0; i < servos.size(); ++i) {

@@ -56,6 +56,7 @@ std::uint16_t feetech_unsigned(int value);
 /// Writes packets of the Feetech SCS protocol; ids of servos are 0 to 253.
 class FeetechWriter : public PacketWriter {
  public:
+  explicit FeetechWriter(ByteOrder order) : FeetechWriter({}, order) {}
   FeetechWriter(std::span<std::uint8_t> out, ByteOrder order) : PacketWriter(out, order, 1) {}
 
   void status(std::uint8_t id, std::uint8_t error,

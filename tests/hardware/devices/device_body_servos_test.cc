@@ -237,9 +237,7 @@ TEST(ServoFaultsOfScs, SilenceIsNoticedAsSoonForManyServosAsForFew) {
 // One of them has lost its power; the others answer.
 TEST(ServoFaultsOfScs, OneServoThatFallsSilentIsNoticed) {
   FaultyFingers fingers(faulty_device(BusKind::kScs));
-  const Outcome outcome = outcome_of(fingers, [&] {
-    fingers.chain().set_silent(1, true);
-  });
+  const Outcome outcome = outcome_of(fingers, [&] { fingers.chain().set_silent(1, true); });
   ASSERT_TRUE(outcome.stopped);
   EXPECT_NE(outcome.error.what.find("the servo 'index' gave no answer"), std::string::npos);
   EXPECT_LT(outcome.after, kHold + 0.3);

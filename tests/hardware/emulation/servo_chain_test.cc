@@ -42,8 +42,7 @@ class ServoChainTest : public ::testing::TestWithParam<BusKind> {
   const std::uint16_t torque = is_dynamixel() ? dynamixel_x::kTorqueEnable : feetech::kTorqueEnable;
   const std::uint16_t goal = is_dynamixel() ? dynamixel_x::kGoalPosition : feetech::kGoalPosition;
 
-  // The answer of servo 1 that it has done what it received, and that it refused it after an
-  // overload.
+  // The answer of servo 1 that it has done what it received.
   const Bytes done = is_dynamixel() ? Bytes{0xFF, 0xFF, 0xFD, 0, 1, 4, 0, 0x55, 0, 0xA1, 0x0C}
                                     : Bytes{0xFF, 0xFF, 1, 2, 0, 0xFC};
   const Bytes echo_of_ping = is_dynamixel() ? Bytes{0xFF, 0xFF, 0xFD, 0, 1, 3, 0, 1, 0x19, 0x4E}

@@ -19,8 +19,7 @@ struct ServoTalk {
   ServoTalk(wire::FeetechSeries series, const std::vector<emulation::EmulatedFeetech>& servos,
             bool echo = false)
       : chain(std::make_unique<emulation::FeetechServos>(series, servos, echo)),
-        writer(std::make_unique<wire::FeetechWriter>(std::span<std::uint8_t>{},
-                                                     wire::feetech_order(series))) {}
+        writer(std::make_unique<wire::FeetechWriter>(wire::feetech_order(series))) {}
 
   /// Sends what `fill` writes; returns all that the chain sends in the `seconds` after it.
   template <typename Fill>
