@@ -51,7 +51,7 @@ wire::PacketWriter& PacketBus::tick_writer() {
 }
 
 Result<PacketBus::Answer> PacketBus::ask(const Servo& servo, Span request, std::size_t size,
-                                         wire::Exchange& exchange) {
+                                         wire::Exchange& exchange) const {
   wire::PacketDecoder& decoder = *coders_.answers;
   decoder.clear();
   Answer answer;

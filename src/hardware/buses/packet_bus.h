@@ -100,7 +100,8 @@ class PacketBus : public ServoBus {
   wire::PacketWriter& tick_writer();
 
   /// The answer to a request, with data of `size` bytes.
-  Result<Answer> ask(const Servo& servo, Span request, std::size_t size, wire::Exchange& exchange);
+  Result<Answer> ask(const Servo& servo, Span request, std::size_t size,
+                     wire::Exchange& exchange) const;
   Result<Answer> read(const Servo& servo, std::uint16_t address, std::size_t size,
                       wire::Exchange& exchange);
 

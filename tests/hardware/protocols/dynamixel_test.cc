@@ -216,19 +216,6 @@ TEST(Dynamixel, RandomPacketsAreDecodedAsByASlowDecoder) {
   }
 }
 
-// Puts a stream into `decoder` in pieces of random size.
-PacketContents statuses_in_pieces(DynamixelDecoder& decoder, const Bytes& bytes, Random& random) {
-  PacketContents all;
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t size = std::min<std::size_t>(1 + random.below(200), bytes.size() - at);
-    const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto some = statuses(decoder, Bytes(first, first + static_cast<std::ptrdiff_t>(size)));
-    all.insert(all.end(), some.begin(), some.end());
-    at += size;
-  }
-  return all;
-}
-
 TEST(Dynamixel, EveryWholePacketOfADamagedStreamIsDecodedAndNoWrongOne) {
   Random random(2);
   std::vector<Bytes> packets;
@@ -237,13 +224,9 @@ TEST(Dynamixel, EveryWholePacketOfADamagedStreamIsDecodedAndNoWrongOne) {
     packets.push_back(random_status(random, 24));
     all.push_back(slowly_decoded(packets.back()));
   }
-  const auto stream = testing::damaged_stream(packets, 0.001, DynamixelDecoder::kLongest, random);
   DynamixelDecoder decoder;
-  const auto found = statuses_in_pieces(decoder, stream.bytes, random);
-  const auto count = testing::compare_with_sent(found, all, stream.whole);
-  RecordProperty("damaged", static_cast<int>(count.damaged));
-  RecordProperty("decoded", static_cast<int>(found.size()));
-  RecordProperty("restored", static_cast<int>(count.restored));
+  const auto count =
+      testing::count_damage(decoder, packets, all, DynamixelDecoder::kLongest, random);
   EXPECT_GT(count.damaged, 1500u);
   EXPECT_EQ(count.lost, 0u);
   EXPECT_EQ(count.wrong, 0u);
@@ -251,20 +234,9 @@ TEST(Dynamixel, EveryWholePacketOfADamagedStreamIsDecodedAndNoWrongOne) {
 
 TEST(Dynamixel, CodingAllocatesNothing) {
   if (!testing::counts_allocations()) GTEST_SKIP();
-  std::array<std::uint8_t, 256> memory{};
+  DynamixelWriter writer;
   DynamixelDecoder decoder;
-  const Bytes ids{1, 2, 3};
-  const testing::AllocationCounter counter;
-  std::size_t found = 0;
-  for (int i = 0; i < 100; ++i) {
-    DynamixelWriter writer(memory);
-    writer.sync_read(132, 4, ids);
-    writer.status(1, 0, ids);
-    decoder.put(writer.written());
-    while (decoder.next_status()) ++found;
-  }
-  EXPECT_EQ(counter.count(), 0u);
-  EXPECT_EQ(found, 100u);
+  testing::expect_coding_without_allocation(writer, decoder);
 }
 
 }  // namespace

@@ -214,20 +214,8 @@ TEST(Feetech, WholePacketsOfADamagedStreamAreDecodedExceptBehindAccidents) {
     all.push_back(random_content(random, 15, 256));  // the answer of an STS servo in each tick
     packets.push_back(packet_of(all.back()));
   }
-  const auto stream = testing::damaged_stream(packets, 0.001, 64, random);
   FeetechDecoder decoder(packets[0].size());
-  PacketContents found;
-  for (std::size_t at = 0; at < stream.bytes.size(); at += 100) {
-    const auto first = stream.bytes.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto size = std::min<std::size_t>(100, stream.bytes.size() - at);
-    const auto some = statuses(decoder, Bytes(first, first + static_cast<std::ptrdiff_t>(size)));
-    found.insert(found.end(), some.begin(), some.end());
-  }
-  const auto count = testing::compare_with_sent(found, all, stream.whole);
-  RecordProperty("damaged", static_cast<int>(count.damaged));
-  RecordProperty("decoded", static_cast<int>(found.size()));
-  RecordProperty("lost", static_cast<int>(count.lost));
-  RecordProperty("wrong", static_cast<int>(count.wrong));
+  const auto count = testing::count_damage(decoder, packets, all, 64, random);
   EXPECT_GT(count.damaged, 1500u);
   EXPECT_LE(count.lost, 2 * count.wrong);
   EXPECT_LE(count.wrong, 40u);
@@ -235,21 +223,9 @@ TEST(Feetech, WholePacketsOfADamagedStreamAreDecodedExceptBehindAccidents) {
 
 TEST(Feetech, CodingAllocatesNothing) {
   if (!testing::counts_allocations()) GTEST_SKIP();
-  std::array<std::uint8_t, 256> memory{};
+  FeetechWriter writer(ByteOrder::kLowFirst);
   FeetechDecoder decoder;
-  const Bytes ids{1, 2, 3};
-  const testing::AllocationCounter counter;
-  std::size_t found = 0;
-  for (int i = 0; i < 100; ++i) {
-    FeetechWriter writer(memory, ByteOrder::kLowFirst);
-    writer.sync_read(56, 15, ids);
-    decoder.expect_echo(writer.written());
-    writer.status(1, 0, ids);
-    decoder.put(writer.written());
-    while (decoder.next()) ++found;
-  }
-  EXPECT_EQ(counter.count(), 0u);
-  EXPECT_EQ(found, 100u);
+  testing::expect_coding_without_allocation(writer, decoder);
 }
 
 }  // namespace
