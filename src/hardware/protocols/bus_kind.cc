@@ -7,11 +7,11 @@ namespace somato::devices {
 namespace {
 
 constexpr BusTraits kBuses[] = {
-    {BusKind::kSsc32, "ssc32", 500.0, 2500.0, 1500.0, 900.0, 10.0, 0, 32, 115200, false},
-    {BusKind::kDynamixel, "dynamixel", 0.0, 4095.0, 2047.0, 1800.0, 4096.0 / 360.0, 1, 253, 1000000,
+    {"ssc32", 500.0, 2500.0, 1500.0, 900.0, 10.0, 0, 32, 115200, BusKind::kSsc32, false},
+    {"dynamixel", 0.0, 4095.0, 2047.0, 1800.0, 4096.0 / 360.0, 1, 253, 1000000, BusKind::kDynamixel,
      true},
-    {BusKind::kSts, "sts", 0.0, 4095.0, 2047.0, 1800.0, 4096.0 / 360.0, 1, 253, 1000000, true},
-    {BusKind::kScs, "scs", 0.0, 1023.0, 511.0, 400.0, 1024.0 / 300.0, 1, 253, 1000000, true},
+    {"sts", 0.0, 4095.0, 2047.0, 1800.0, 4096.0 / 360.0, 1, 253, 1000000, BusKind::kSts, true},
+    {"scs", 0.0, 1023.0, 511.0, 400.0, 1024.0 / 300.0, 1, 253, 1000000, BusKind::kScs, true},
 };
 
 }  // namespace

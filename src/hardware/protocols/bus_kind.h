@@ -19,7 +19,6 @@ enum class BusKind {
 
 /// A kind of bus, as far as device files depend on it. Positions are in the unit of the bus.
 struct BusTraits {
-  BusKind kind;
   const char* name;   ///< In device files.
   double lowest;      ///< Position.
   double highest;     ///< Position.
@@ -29,7 +28,8 @@ struct BusTraits {
   std::size_t first_channel;  ///< That `somato emulate` uses: ids of servos begin with 1.
   std::size_t channels;       ///< Channels or ids are below this number.
   std::size_t baud;           ///< The usual rate of the line.
-  bool measures;              ///< Whether servos report their positions.
+  BusKind kind;
+  bool measures;  ///< Whether servos report their positions.
 };
 
 const BusTraits& traits_of(BusKind kind);
