@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Reports calls whose bits differ between machines, machine-specific paths, wording, and long files.
+"""Reports calls whose bits differ between machines, machine-specific paths, wording, links of pages to files that are
+gone, and long files.
 
 usage: check_text.py [TREE]
 """
@@ -24,6 +25,8 @@ WORDING = re.compile(
     r"|what came of it|looks? on|lookers-on|goes on|of one's own|nobody)(?![A-Za-z`])", re.IGNORECASE)
 # Comments begin with their subject or a verb, not with a fragment such as "What the map learns."
 FRAGMENT = re.compile(r"""(?://[/!]?<?|#|/\*\*?|^\s*\*|"{3})\s+((?:What|Whatever|Who|Whose|Of) [a-z`][^?]*)$""")
+LINK = re.compile(r"\]\((?!\w+:)([^)#\s]+)")
+CODE_BLOCK = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 PRINTS = re.compile(r"\bstd::(?:cout|cerr|clog|printf|puts|fprintf|fputs)\b|\bfmt::print\b")
 
 # Exceptions, each with its reason.
@@ -69,8 +72,16 @@ def problems_of_line(name, line):
         yield f"'{found[0]}' is a machine-specific path"
 
 
+def broken_links(tree, name):
+    """The relative links of a Markdown page that lead to no file or folder."""
+    text = CODE_BLOCK.sub("", (tree / name).read_text(encoding="utf-8"))
+    for link in LINK.findall(text):
+        if not (tree / name).parent.joinpath(link).exists():
+            yield f"{name}: the link '{link}' leads to no file"
+
+
 def check(tree, names):
-    problems = []
+    problems = [found for name in names if name.endswith(".md") for found in broken_links(tree, name)]
     for name in names:
         if name in KNOWS_THE_PATTERNS:
             continue

@@ -59,6 +59,13 @@ class Text(TreeTest):
         self.write("src/maps/b.cc", "\n" * 400)
         self.assertEqual(len(list(check_text.long_files(self.tree, ["src/maps/a.cc", "src/maps/b.cc"]))), 1)
 
+    def test_refuses_links_to_files_that_are_gone(self):
+        self.write("docs/a.md", "[a](b.md#part) [b](../src/c.cc) [c](https://example.org/d) [d](#here)\n\n```diff\n+[](auto d)\n```\n")
+        self.write("src/c.cc")
+        self.assertEqual(check_text.check(self.tree, ["docs/a.md"]), ["docs/a.md: the link 'b.md' leads to no file"])
+        self.write("docs/b.md")
+        self.assertEqual(check_text.check(self.tree, ["docs/a.md"]), [])
+
 
 if __name__ == "__main__":
     unittest.main()
