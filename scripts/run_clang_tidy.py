@@ -5,7 +5,8 @@ A file that passed, in this checkout or another one of the user, is not checked 
 header that it includes, its compile command, the rules or the version of clang-tidy change. Sources that are compiled together are checked together, because reading
 headers takes most of the time. --changed: only files that differ from the parent branch, and for a header
 the first source that includes it. Each of them is read separately and without precompiled headers, so
-that a missing include and an unused using declaration are reported.
+that a missing include and an unused using declaration are reported. A change of more than MOST_SEPARATE files, such
+as a move of folders, is left to a run without --changed, which ./dev test --all contains.
 
 usage: run_clang_tidy.py [--fix] [--changed]
 """
@@ -27,6 +28,7 @@ SEPARATE = TREE / "build/lint"
 TOGETHER = SEPARATE / "UnifiedSource"
 REUSED = "reused_marks"  # number of marks that the last run has used
 CHECKED = ("src", "program", "fuzz")
+MOST_SEPARATE = 150  # some ten minutes
 TIDY = str(TREE / "build/clang-tidy/bin/clang-tidy")
 
 
@@ -101,6 +103,9 @@ def main():
     fix = given.fix
     build = SEPARATE if given.changed else TOGETHER
     files = only_changed(entries(build)) if given.changed else entries(build)
+    if given.changed and len(files) > MOST_SEPARATE:
+        print(f"{len(files)} files have changed, too many to read one by one: ./dev test --all reads all together")
+        return 0
     passed_marks.prune()
     # Two at once would write the same header's fixes twice.
     with ThreadPoolExecutor(1 if fix else os.cpu_count()) as pool:
