@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hardware/protocols/bus_kind.h"
+#include "hardware/protocols/frame_format.h"
 #include "somato/bodies/body.h"
 #include "somato/core/parameter.h"
 
@@ -15,12 +16,6 @@ namespace somato::devices {
 
 /// Values of each magnetometer in a frame of AnySkin: x, y and z, without its temperature.
 inline constexpr std::size_t kAnyskinAxes = 3;
-
-enum class FrameFormat {
-  kFrames,   ///< docs/formats/sensor-frames.md: checked, numbered, with the time of the device.
-  kLines,    ///< Lines of comma-separated numbers.
-  kAnyskin,  ///< Frames of AnySkin, ReSkin and eFlesh: x, y and z of each magnetometer.
-};
 
 /// The origin of the values of a sensor.
 enum class SensorOrigin {
@@ -175,10 +170,6 @@ Result<void> check_against(const DeviceFile& file, const BodyDescription& body,
 
 namespace somato {
 
-template <>
-struct Choices<devices::FrameFormat> {
-  static const std::vector<std::pair<devices::FrameFormat, std::string>>& all();
-};
 template <>
 struct Choices<devices::SensorOrigin> {
   static const std::vector<std::pair<devices::SensorOrigin, std::string>>& all();

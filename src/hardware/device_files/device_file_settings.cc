@@ -3,16 +3,7 @@
 namespace somato {
 
 using devices::ExploringMethod;
-using devices::FrameFormat;
 using devices::SensorOrigin;
-
-const std::vector<std::pair<FrameFormat, std::string>>& Choices<FrameFormat>::all() {
-  static const std::vector<std::pair<FrameFormat, std::string>> kAll{
-      {FrameFormat::kFrames, "frames"},
-      {FrameFormat::kLines, "lines"},
-      {FrameFormat::kAnyskin, "anyskin"}};
-  return kAll;
-}
 
 const std::vector<std::pair<SensorOrigin, std::string>>& Choices<SensorOrigin>::all() {
   static const std::vector<std::pair<SensorOrigin, std::string>> kAll{

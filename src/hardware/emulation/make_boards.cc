@@ -59,17 +59,7 @@ std::unique_ptr<EmulatedSensors> make_sensors(const devices::FrameLine& line) {
   SensorBoardSettings settings;
   settings.elements = line.elements;
   settings.rate = line.rate;
-  switch (line.format) {
-    case devices::FrameFormat::kFrames:
-      settings.format = SensorFormat::kFloat32Frame;
-      break;
-    case devices::FrameFormat::kLines:
-      settings.format = SensorFormat::kNumberLine;
-      break;
-    case devices::FrameFormat::kAnyskin:
-      settings.format = SensorFormat::kAnySkin;
-      break;
-  }
+  settings.format = line.format;
   return std::make_unique<SensorBoard>(settings);
 }
 

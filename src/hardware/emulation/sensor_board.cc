@@ -10,33 +10,28 @@
 namespace somato::emulation {
 namespace {
 
-bool is_own_format(SensorFormat format) {
-  return format == SensorFormat::kInt16Frame || format == SensorFormat::kFloat32Frame;
-}
-
-wire::SensorValueType type_of(SensorFormat format) {
-  return format == SensorFormat::kInt16Frame ? wire::SensorValueType::kInt16
-                                             : wire::SensorValueType::kFloat32;
-}
+using devices::FrameFormat;
 
 SensorBoardSettings checked_settings(const SensorBoardSettings& settings) {
   require(settings.elements > 0, "a sensor board without elements");
   require(settings.rate > 0.0 && std::isfinite(settings.rate), "the rate must be positive");
-  require(settings.format != SensorFormat::kAnySkin || settings.elements % 3 == 0,
+  require(settings.format != FrameFormat::kAnyskin || settings.elements % 3 == 0,
           "a magnetometer has three elements");
-  require(!is_own_format(settings.format) || settings.elements <= wire::kMostSensorValues,
+  require(settings.format != FrameFormat::kFrames || settings.elements <= wire::kMostSensorValues,
           "a sensor frame has 1 to 1024 values");
   return settings;
 }
 
 std::size_t most_bytes(const SensorBoardSettings& settings) {
-  if (settings.format == SensorFormat::kAnySkin) {
-    return wire::anyskin_frame_bytes(settings.elements / 3);
+  switch (settings.format) {
+    case FrameFormat::kAnyskin:
+      return wire::anyskin_frame_bytes(settings.elements / 3);
+    case FrameFormat::kLines:
+      return wire::kMostNumberBytes * settings.elements;
+    case FrameFormat::kFrames:
+      break;
   }
-  if (settings.format == SensorFormat::kNumberLine) {
-    return wire::kMostNumberBytes * settings.elements;
-  }
-  return wire::sensor_frame_bytes(settings.elements, type_of(settings.format));
+  return wire::sensor_frame_bytes(settings.elements, settings.values);
 }
 
 }  // namespace
@@ -68,11 +63,11 @@ void SensorBoard::send(double time, std::vector<std::uint8_t>& sent) {
 }
 
 std::size_t SensorBoard::encode(double time) {
-  if (settings_.format == SensorFormat::kAnySkin) return encode_anyskin();
+  if (settings_.format == FrameFormat::kAnyskin) return encode_anyskin();
   reported_.clear();
   for (std::size_t i = 0; i < values_.size(); ++i) reported_.push_back(reported(i));
-  if (is_own_format(settings_.format)) return encode_frame(time);
-  return wire::encode_number_line(reported_, bytes_);
+  if (settings_.format == FrameFormat::kLines) return wire::encode_number_line(reported_, bytes_);
+  return encode_frame(time);
 }
 
 std::size_t SensorBoard::encode_anyskin() {
@@ -85,13 +80,13 @@ std::size_t SensorBoard::encode_anyskin() {
 }
 
 std::size_t SensorBoard::encode_frame(double time) {
-  if (settings_.format == SensorFormat::kInt16Frame) {
+  if (settings_.values == wire::SensorValueType::kInt16) {
     for (float& value : reported_) value = std::clamp(value, -32768.0F, 32767.0F);
   }
   const auto microseconds = static_cast<std::uint64_t>(std::round(time * 1e6));
   return wire::encode_sensor_frame(
       {static_cast<std::uint16_t>(frames_), static_cast<std::uint32_t>(microseconds),
-       type_of(settings_.format), reported_},
+       settings_.values, reported_},
       bytes_);
 }
 

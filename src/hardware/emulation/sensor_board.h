@@ -7,23 +7,19 @@
 #include <vector>
 
 #include "hardware/emulation/emulated_board.h"
+#include "hardware/protocols/frame_format.h"
 #include "hardware/protocols/sensor_frame.h"
 
 namespace somato::emulation {
 
-/// The format in which a board sends its values.
-enum class SensorFormat {
-  kAnySkin,     ///< The values are x, y and z of each magnetometer.
-  kInt16Frame,  ///< Our own frames; values are rounded to int16 and clipped.
-  kFloat32Frame,
-  kNumberLine,
-};
-
 struct SensorBoardSettings {
-  SensorFormat format = SensorFormat::kInt16Frame;
+  devices::FrameFormat format = devices::FrameFormat::kFrames;
   std::size_t elements = 1;
   double rate = 100.0;        ///< Frames a second.
   float temperature = 25.0F;  ///< Degrees Celsius; AnySkin only.
+
+  /// The values of the format `frames`; int16 are rounded and clipped.
+  wire::SensorValueType values = wire::SensorValueType::kFloat32;
 };
 
 /// A board that sends frames at its own rate, the first one period after it was switched on.

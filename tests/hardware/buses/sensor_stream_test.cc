@@ -18,16 +18,15 @@
 namespace somato::devices {
 namespace {
 
-using emulation::SensorFormat;
-
 struct StreamCase {
-  SensorFormat format;
+  FrameFormat format;
   std::size_t first_frames_lost;  // Before the decoder knows where a frame begins.
+  wire::SensorValueType values = wire::SensorValueType::kFloat32;
 };
 
-std::unique_ptr<SensorStream> stream_for(SensorFormat format, std::size_t elements) {
-  if (format == SensorFormat::kAnySkin) return std::make_unique<AnySkinStream>(elements / 3);
-  if (format == SensorFormat::kNumberLine) return std::make_unique<NumberLineStream>(elements);
+std::unique_ptr<SensorStream> stream_for(FrameFormat format, std::size_t elements) {
+  if (format == FrameFormat::kAnyskin) return std::make_unique<AnySkinStream>(elements / 3);
+  if (format == FrameFormat::kLines) return std::make_unique<NumberLineStream>(elements);
   return std::make_unique<SensorFrameStream>(elements);
 }
 
@@ -42,7 +41,7 @@ TEST_P(SensorStreamTest, StatesThatNothingHasArrived) {
 }
 
 TEST_P(SensorStreamTest, FollowsABoard) {
-  emulation::SensorBoard board({GetParam().format, 6, 100.0});
+  emulation::SensorBoard board({GetParam().format, 6, 100.0, 25.0F, GetParam().values});
   testing::EmulatedLine line(board);
   const auto stream = stream_for(GetParam().format, 6);
   std::vector<float> values(6);
@@ -64,7 +63,7 @@ TEST_P(SensorStreamTest, FollowsABoard) {
 
 TEST_P(SensorStreamTest, AllocatesNothing) {
   if (!testing::counts_allocations()) GTEST_SKIP() << "this build does not count allocations";
-  emulation::SensorBoard board({GetParam().format, 45, 100.0});
+  emulation::SensorBoard board({GetParam().format, 45, 100.0, 25.0F, GetParam().values});
   std::vector<std::uint8_t> bytes;
   board.advance(1.0, bytes);
   bytes[500] ^= 1;
@@ -75,11 +74,11 @@ TEST_P(SensorStreamTest, AllocatesNothing) {
   EXPECT_GE(stream->frames(), 90U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, SensorStreamTest,
-                         ::testing::Values(StreamCase{SensorFormat::kAnySkin, 1},
-                                           StreamCase{SensorFormat::kInt16Frame, 0},
-                                           StreamCase{SensorFormat::kFloat32Frame, 0},
-                                           StreamCase{SensorFormat::kNumberLine, 1}));
+INSTANTIATE_TEST_SUITE_P(
+    Formats, SensorStreamTest,
+    ::testing::Values(StreamCase{FrameFormat::kAnyskin, 1}, StreamCase{FrameFormat::kFrames, 0},
+                      StreamCase{FrameFormat::kFrames, 0, wire::SensorValueType::kInt16},
+                      StreamCase{FrameFormat::kLines, 1}));
 
 }  // namespace
 }  // namespace somato::devices

@@ -24,7 +24,7 @@ std::string line_at(SensorBoard& board, double now) {
 }
 
 TEST(SensorBoard, SendsAtItsRate) {
-  SensorBoard board({SensorFormat::kNumberLine, 1, 100.0});
+  SensorBoard board({devices::FrameFormat::kLines, 1, 100.0});
   board.set_values(std::vector<float>{5.0F});
   EXPECT_EQ(line_at(board, 0.009), "");
   EXPECT_EQ(line_at(board, 0.010), "5\n");
@@ -34,7 +34,7 @@ TEST(SensorBoard, SendsAtItsRate) {
 }
 
 TEST(SensorBoard, ReportsStuckAndDeadElements) {
-  SensorBoard board({SensorFormat::kNumberLine, 3, 1.0});
+  SensorBoard board({devices::FrameFormat::kLines, 3, 1.0});
   board.set_values(std::vector<float>{1.0F, 2.0F, 3.0F});
   board.stick(0);
   board.kill(2);
@@ -46,7 +46,7 @@ TEST(SensorBoard, ReportsStuckAndDeadElements) {
 }
 
 TEST(SensorBoard, SendsItsOwnFrames) {
-  SensorBoard board({SensorFormat::kInt16Frame, 2, 50.0});
+  SensorBoard board({devices::FrameFormat::kFrames, 2, 50.0, 25.0F, wire::SensorValueType::kInt16});
   board.set_values(std::vector<float>{-12.4F, 1e6F});
   wire::SensorFrameDecoder decoder(2);
   int frames = 0;
@@ -64,7 +64,7 @@ TEST(SensorBoard, SendsItsOwnFrames) {
 }
 
 TEST(SensorBoard, SendsTemperaturesWithAnySkin) {
-  SensorBoard board({SensorFormat::kAnySkin, 3, 1.0, 24.5F});
+  SensorBoard board({devices::FrameFormat::kAnyskin, 3, 1.0, 24.5F});
   board.set_values(std::vector<float>{1.0F, -2.5F, 0.0F});
   EXPECT_EQ(sent_until(board, 1.0),
             (std::vector<std::uint8_t>{0, 0, 0xC4, 0x41, 0, 0, 0x80, 0x3F, 0, 0, 0x20, 0xC0, 0, 0,
@@ -72,10 +72,10 @@ TEST(SensorBoard, SendsTemperaturesWithAnySkin) {
 }
 
 TEST(SensorBoard, RejectsImpossibleSettings) {
-  EXPECT_THROW(SensorBoard({SensorFormat::kNumberLine, 0, 1.0}), InvalidArgument);
-  EXPECT_THROW(SensorBoard({SensorFormat::kNumberLine, 1, 0.0}), InvalidArgument);
-  EXPECT_THROW(SensorBoard({SensorFormat::kAnySkin, 4, 1.0}), InvalidArgument);
-  EXPECT_THROW(SensorBoard({SensorFormat::kInt16Frame, 1025, 1.0}), InvalidArgument);
+  EXPECT_THROW(SensorBoard({devices::FrameFormat::kLines, 0, 1.0}), InvalidArgument);
+  EXPECT_THROW(SensorBoard({devices::FrameFormat::kLines, 1, 0.0}), InvalidArgument);
+  EXPECT_THROW(SensorBoard({devices::FrameFormat::kAnyskin, 4, 1.0}), InvalidArgument);
+  EXPECT_THROW(SensorBoard({devices::FrameFormat::kFrames, 1025, 1.0}), InvalidArgument);
 }
 
 }  // namespace
