@@ -33,7 +33,7 @@ struct ScreenedNeurons {
 };
 
 /// A neuron that may win, by its place in the order of ScreenedNeurons.
-struct Candidate {
+struct CandidateNeuron {
   float score;
   std::uint32_t place;
 };
@@ -46,7 +46,7 @@ struct Candidates {
   float second_least;
   std::uint32_t count;
   bool overflown;  ///< There was no room for all.
-  Candidate kept[kMostCandidates];
+  CandidateNeuron kept[kMostCandidates];
 };
 
 /// kTileSamples samples as integers, row after row.

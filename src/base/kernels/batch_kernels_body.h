@@ -224,11 +224,11 @@ inline void lower(Candidates& candidates, float score, bool two) {
   if (limit < candidates.threshold) candidates.threshold = limit;
 }
 
-inline void keep(Candidates& candidates, Candidate candidate) {
+inline void keep(Candidates& candidates, CandidateNeuron candidate) {
   if (candidates.count == kMostCandidates) {
     std::uint32_t left = 0;
     for (std::uint32_t i = 0; i < candidates.count; ++i) {
-      const Candidate one = candidates.kept[i];
+      const CandidateNeuron one = candidates.kept[i];
       if (one.score < candidates.threshold) candidates.kept[left++] = one;
     }
     candidates.count = left;

@@ -237,7 +237,7 @@ Winners ScreeningRun::decide(std::size_t i) {
   const Candidates& candidates = candidates_[i];
   const float* x = samples_[known_[i].sample].values.data();
   scored_.clear();
-  for (const kernels::Candidate& candidate : std::span(candidates.kept, candidates.count)) {
+  for (const kernels::CandidateNeuron& candidate : std::span(candidates.kept, candidates.count)) {
     if (!(candidate.score < candidates.threshold)) continue;
     scored_.push_back({0.0, map_.neuron_at(candidate.place), candidate.place});
   }

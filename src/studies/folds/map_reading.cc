@@ -17,7 +17,7 @@ namespace somato {
 namespace {
 
 using Numbers = std::vector<std::size_t>;
-using Readings = std::vector<Reading>;
+using Readings = std::vector<MeasuredValue>;
 using MapMeasure = std::function<double(const Numbers& classes)>;
 
 Numbers first_of(const Numbers& values, std::size_t count) {
@@ -34,7 +34,7 @@ void add_measure(const std::string& name, const Groupings& groupings, const MapM
                  Readings& values) {
   values.push_back({name, measure(groupings.right)});
   if (groupings.wrong.empty()) return;  // a value of 0 would state that it never occurs by chance
-  Reading by_chance{name + "_chance"};
+  MeasuredValue by_chance{name + "_chance"};
   double sum = 0.0;
   for (const Numbers& wrong : groupings.wrong) {
     const double value = measure(wrong);
@@ -117,8 +117,8 @@ void read_order(const StudiedOrder& order, const Grid& grid, const Numbers& winn
       mapped_individuals(grid, winners, individuals, numbers, first_of(order.groups, learned));
   const CircularOrder found = circular_order(mapped);
   const CircularOrderByChance by_chance = circular_order_chance(mapped, kShuffles, seed);
-  Reading around{"order_around_chance", by_chance.mean.around};
-  Reading within{"order_within_chance", by_chance.mean.within};
+  MeasuredValue around{"order_around_chance", by_chance.mean.around};
+  MeasuredValue within{"order_within_chance", by_chance.mean.within};
   for (const CircularOrder& shuffled : by_chance.of_each) {
     ++around.of_each[shuffled.around];
     ++within.of_each[shuffled.within];
@@ -227,8 +227,8 @@ std::vector<Numbers> wrong_classes(const StudiedLabel& label, std::size_t explor
                          first_of(label.individuals, explorations), count, seed);
 }
 
-std::vector<Reading> read_map(const StudyParameters& study, const PreparedStudy& prepared,
-                              const Grid& grid, const Numbers& winners, std::uint64_t seed) {
+std::vector<MeasuredValue> read_map(const StudyParameters& study, const PreparedStudy& prepared,
+                                    const Grid& grid, const Numbers& winners, std::uint64_t seed) {
   Readings values;
   for (const StudiedLabel& label : prepared.labels) {
     const bool own = &label == &prepared.labels.front();
@@ -261,8 +261,8 @@ std::vector<Reading> read_map(const StudyParameters& study, const PreparedStudy&
   return values;
 }
 
-std::vector<Reading> read_placed(const PreparedStudy& prepared, const FoldOutcome& outcome,
-                                 std::uint64_t seed) {
+std::vector<MeasuredValue> read_placed(const PreparedStudy& prepared, const FoldOutcome& outcome,
+                                       std::uint64_t seed) {
   if (!prepared.order) return {};
   const StudiedOrder& order = *prepared.order;
   const std::size_t learned = prepared.samples.samples;

@@ -294,7 +294,7 @@ class MetricsMaker {
   void read_maps() {
     const bool one_map = study_.protocol == Protocol::kTrainIsTest;
     if (!one_map && study_.protocol != Protocol::kTestData) return;
-    std::vector<std::vector<Reading>> readings;
+    std::vector<std::vector<MeasuredValue>> readings;
     readings.reserve(seeds_.size());
     for (const SeedOutcome& seed : seeds_) {
       const FoldOutcome& outcome = *seed.folds.front();
@@ -304,7 +304,7 @@ class MetricsMaker {
     }
     for (std::size_t reading = 0; reading < readings.front().size(); ++reading) {
       Metric metric{readings.front()[reading].name, {}};
-      for (const std::vector<Reading>& values : readings) {
+      for (const std::vector<MeasuredValue>& values : readings) {
         metric.values.push_back(values[reading].value);
         if (!values[reading].of_each.empty()) metric.of_each.push_back(values[reading].of_each);
       }

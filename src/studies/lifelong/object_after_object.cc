@@ -12,7 +12,7 @@
 #include "somato/graph/further_learning.h"
 #include "somato/graph/system_model.h"
 #include "somato/maps/som_training.h"
-#include "studies/lifelong/replay.h"
+#include "studies/lifelong/replayed_samples.h"
 #include "studies/measures/nearest_neighbour.h"
 
 namespace somato {

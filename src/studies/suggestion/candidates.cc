@@ -45,7 +45,7 @@ double floor_of(const Samples& spectra) {
 
 // Adds the ranks of a candidate to those of its sense.
 void add_neighbourhoods(const PerView<Matrix<float>>& distances, std::size_t threads,
-                        Candidate& candidate, Neighbourhoods& sum) {
+                        CandidateCode& candidate, Neighbourhoods& sum) {
   PerView<Matrix<float>> ranks;
   for (const View view : kAllViews) {
     ranks[view] = Matrix<float>(distances[view].rows(), distances[view].rows());
@@ -60,9 +60,9 @@ void add_neighbourhoods(const PerView<Matrix<float>>& distances, std::size_t thr
   }
 }
 
-Candidate candidate_of(const Representation& representation, const Code& code, std::size_t source,
-                       Neighbourhoods* sum, std::size_t threads) {
-  Candidate candidate{source, code, representation.scaling, 0, 0.0, {}, 1.0, {}};
+CandidateCode candidate_of(const Representation& representation, const Code& code,
+                           std::size_t source, Neighbourhoods* sum, std::size_t threads) {
+  CandidateCode candidate{source, code, representation.scaling, 0, 0.0, {}, 1.0, {}};
   const Samples& whole = representation.vectors[View::kWhole];
   candidate.elements = whole.size();
   PerView<Matrix<float>> distances;
@@ -158,7 +158,7 @@ Result<Neighbourhoods> compare_codes(const Recording& recording, CandidateGroup&
     SOMATO_TRY_VOID(compare_source(recording, source, has_speed, limits, group, found));
   }
   const auto usable = static_cast<float>(std::ranges::count_if(
-      group.candidates, [](const Candidate& candidate) { return candidate.is_usable(); }));
+      group.candidates, [](const CandidateCode& candidate) { return candidate.is_usable(); }));
   for (const View view : kAllViews) {
     for (float& rank : found.ranks[view].values()) rank /= std::max(usable, 1.0F);
   }
@@ -179,7 +179,7 @@ Result<std::vector<Part>> parts_of(const Recording& recording, const CandidateGr
                                    const ComparisonLimits& limits) {
   std::vector<Part> parts;
   for (const std::size_t number : chosen) {
-    const Candidate& candidate = group.candidates[number];
+    const CandidateCode& candidate = group.candidates[number];
     SOMATO_TRY(const auto frames,
                viewed_frames(recording, group.sources[candidate.source], limits.threads));
     SOMATO_TRY(const auto found, represent(frames, candidate.code, {candidate.scaling},

@@ -15,7 +15,7 @@
 namespace somato {
 
 /// A code in a scaling, with the nearest neighbours of all explorations.
-struct Candidate {
+struct CandidateCode {
   std::size_t source = 0;  ///< In the group.
   Code code;               ///< Not scaled.
   Scaling scaling = Scaling::kNone;
@@ -32,7 +32,7 @@ struct Candidate {
 struct CandidateGroup {
   std::vector<std::size_t> senses;
   std::vector<FrameSource> sources;
-  std::vector<Candidate> candidates;
+  std::vector<CandidateCode> candidates;
 };
 
 /// Resources for the comparison of candidates.

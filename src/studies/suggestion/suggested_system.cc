@@ -76,7 +76,7 @@ class SystemOfParts {
 
   std::string add_part(const SuggestedPart& part) {
     const CandidateGroup& group = groups_[part.group];
-    const Candidate& candidate = group.candidates[part.code];
+    const CandidateCode& candidate = group.candidates[part.code];
     const Code code = scaled(candidate.code, candidate.scaling);
     std::vector<ModuleDescription> modules = group.sources[candidate.source].modules;
     modules.insert(modules.end(), code.modules.begin(), code.modules.end());

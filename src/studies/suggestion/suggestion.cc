@@ -158,7 +158,7 @@ class Search {
     std::optional<double> least;
     for (const std::size_t sense : senses) {
       if (!neighbourhoods_[sense].has_halves) continue;
-      for (const Candidate& candidate : groups_[sense].candidates) {
+      for (const CandidateCode& candidate : groups_[sense].candidates) {
         if (!candidate.is_usable()) continue;
         least = std::min(least.value_or(candidate.stability), candidate.stability);
       }
@@ -177,7 +177,8 @@ class Search {
     }
   }
 
-  std::vector<double> imbalances_of(const CandidateGroup& group, const Candidate& candidate) const {
+  std::vector<double> imbalances_of(const CandidateGroup& group,
+                                    const CandidateCode& candidate) const {
     return imbalances(candidate.nearest, group.senses, predicted_);
   }
 
@@ -186,7 +187,7 @@ class Search {
   bool is_related(std::size_t channel) const {
     const auto count = static_cast<double>(recording_.explorations.size());
     const double least = 1.0 - 3.0 / std::sqrt(3.0 * count);
-    return std::ranges::any_of(groups_[channel].candidates, [&](const Candidate& candidate) {
+    return std::ranges::any_of(groups_[channel].candidates, [&](const CandidateCode& candidate) {
       return candidate.is_usable() &&
              std::ranges::min(imbalances_of(groups_[channel], candidate)) < least;
     });
@@ -197,7 +198,7 @@ class Search {
     std::vector<std::size_t> usable;
     for (const std::size_t sense : channels_with(ChannelRole::kSense)) {
       if (is_related(sense)) related.push_back(sense);
-      if (std::ranges::any_of(groups_[sense].candidates, &Candidate::is_usable)) {
+      if (std::ranges::any_of(groups_[sense].candidates, &CandidateCode::is_usable)) {
         usable.push_back(sense);
       }
     }
@@ -212,7 +213,7 @@ class Search {
 
   double best_score(std::size_t group) const {
     double best = 1.0;
-    for (const Candidate& candidate : groups_[group].candidates) {
+    for (const CandidateCode& candidate : groups_[group].candidates) {
       if (!candidate.is_usable()) continue;
       best = std::min(best, score_of(imbalances_of(groups_[group], candidate)));
     }
@@ -270,13 +271,13 @@ class Search {
 
   void record_scores() {
     for (std::size_t i = 0; i < groups_.size(); ++i) {
-      for (const Candidate& candidate : groups_[i].candidates) {
+      for (const CandidateCode& candidate : groups_[i].candidates) {
         suggestion_.groups[i].codes.push_back(scored(i, candidate));
       }
     }
   }
 
-  SuggestedCode scored(std::size_t group, const Candidate& candidate) const {
+  SuggestedCode scored(std::size_t group, const CandidateCode& candidate) const {
     const Code code = scaled(candidate.code, candidate.scaling);
     SuggestedCode found{candidate.code.name,
                         choice_name(candidate.scaling),

@@ -370,7 +370,7 @@ void Player::explore() {
   pace_.playing = true;
   moments_left_ = 0;
   if (std::exchange(is_permitted_, false)) source_.explorer->resume();
-  const ExplorationPlan::Next next = plan_.next();
+  const ExplorationSequence::Next next = plan_.next();
   exploring_ = next;
   body_.start(*source_.explorer, next.thing, next.trial, next.placement);
 }

@@ -12,7 +12,7 @@
 #include "views/http/audience.h"
 #include "views/http/event_hub.h"
 #include "views/live/chosen_system.h"
-#include "views/live/exploration_plan.h"
+#include "views/live/exploration_sequence.h"
 #include "views/live/strips.h"
 #include "views/replay/body_thread.h"
 #include "views/replay/growing_exploration.h"
@@ -123,9 +123,9 @@ class Player {
   bool closed_ = false;
 
   // The state of a body.
-  ExplorationPlan plan_;
-  double result_pause_ = 0.0;        // s
-  ExplorationPlan::Next exploring_;  // what is explored
+  ExplorationSequence plan_;
+  double result_pause_ = 0.0;            // s
+  ExplorationSequence::Next exploring_;  // what is explored
   bool wants_exploring_ = false;
   bool is_permitted_ = false;  // a viewer lets a body explore that a fault has stopped
   std::optional<GrowingExploration> growing_;

@@ -71,24 +71,25 @@ Result<void> SystemReading::follow(const Exploration& exploration,
 
 // The answer is the class of the labelled neuron that is most similar; the others follow by
 // distance.
-std::vector<Candidate> SystemReading::candidates(const SignalView& input) const {
+std::vector<CandidateClass> SystemReading::candidates(const SignalView& input) const {
   const NeuronLabels& labels = model_->answer->labels;
   if (labels.labelled().empty()) return {};
   const Som& som = *som_of(model_->system, map_);
   SomWorkspace workspace;
   const std::size_t answer = *labels[som.winner_among(labels.labelled(), input, workspace)];
-  std::vector<Candidate> candidates;
+  std::vector<CandidateClass> candidates;
   for (std::size_t number = 0; number < neurons_of_class_.size(); ++number) {
     if (neurons_of_class_[number].empty()) continue;
     const std::size_t nearest = som.winner_among(neurons_of_class_[number], input, workspace);
     candidates.push_back({number, som.distance(input, nearest, workspace)});
   }
-  std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
-    const auto key = [&](const Candidate& one) {
-      return std::tuple(one.number != answer, one.distance, one.number);
-    };
-    return key(a) < key(b);
-  });
+  std::sort(candidates.begin(), candidates.end(),
+            [&](const CandidateClass& a, const CandidateClass& b) {
+              const auto key = [&](const CandidateClass& one) {
+                return std::tuple(one.number != answer, one.distance, one.number);
+              };
+              return key(a) < key(b);
+            });
   return candidates;
 }
 
@@ -119,7 +120,7 @@ Result<std::optional<Reading>> SystemReading::read() {
   reading.candidates = candidates(input_of(map_));
   const auto& novelty = model_->answer->novelty;
   if (novelty && !reading.candidates.empty()) {
-    const Candidate& nearest = reading.candidates.front();
+    const CandidateClass& nearest = reading.candidates.front();
     reading.novelty = novelty->of(nearest.number, nearest.distance);
   }
   return std::optional<Reading>(std::move(reading));

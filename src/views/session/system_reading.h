@@ -23,7 +23,7 @@ struct MapReading {
 };
 
 /// A class and how far its nearest neuron is.
-struct Candidate {
+struct CandidateClass {
   std::size_t number = 0;  ///< The number of the class.
   double distance = 0.0;
 };
@@ -32,8 +32,8 @@ struct Candidate {
 struct Reading {
   std::vector<std::pair<std::size_t, FoldedSignal>> modules;  ///< By numbers; maps are not here.
   std::vector<std::pair<std::size_t, MapReading>> maps;
-  std::vector<Candidate> candidates;   ///< The nearest, which is the answer, first; or none.
-  std::optional<double> novelty = {};  ///< That of the nearest, if there is a threshold.
+  std::vector<CandidateClass> candidates;  ///< The nearest, which is the answer, first; or none.
+  std::optional<double> novelty = {};      ///< That of the nearest, if there is a threshold.
 
   /// The name that is read: that of the nearest class, or "unknown" if it is too far. There must be
   /// a candidate.
@@ -70,7 +70,7 @@ class SystemReading {
  private:
   SystemReading(std::shared_ptr<const SystemModel> model, std::size_t map);
 
-  std::vector<Candidate> candidates(const SignalView& input) const;
+  std::vector<CandidateClass> candidates(const SignalView& input) const;
   SignalView input_of(std::size_t module) const;
   MapReading read_map(std::size_t module, const SignalView& input) const;
 

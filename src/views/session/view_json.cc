@@ -93,7 +93,7 @@ void add_reading(JsonWriter& text, const SystemModel* model, const Reading* read
     return;
   }
   const std::vector<std::string>& classes = model->answer->classes;
-  const auto name = [&](const Candidate& one) { return json_text(Json(classes[one.number])); };
+  const auto name = [&](const CandidateClass& one) { return json_text(Json(classes[one.number])); };
   text.open('{');
   text.key("answer").add("{}", json_text(Json(reading->name(classes))));
   text.key("confidence").finite("{:.6g}", reading->confidence());
@@ -104,7 +104,7 @@ void add_reading(JsonWriter& text, const SystemModel* model, const Reading* read
     text.add("null");
   }
   text.key("candidates").open('[');
-  for (const Candidate& one : reading->candidates) {
+  for (const CandidateClass& one : reading->candidates) {
     text.separate();
     text.add(R"({{"name":{},"distance":)", name(one)).finite("{:.6g}", one.distance).add("}}");
   }

@@ -113,7 +113,7 @@ TEST(BatchKernels, ScreeningKeepsAllWithinTheMarginOfTheLeast) {
         EXPECT_EQ(candidates[s].threshold, limit);
         std::vector<std::uint32_t> kept;
         for (std::uint32_t k = 0; k < candidates[s].count; ++k) {
-          const Candidate one = candidates[s].kept[k];
+          const CandidateNeuron one = candidates[s].kept[k];
           EXPECT_EQ(one.score, scores[one.place]);
           if (one.score < limit) kept.push_back(one.place);
         }

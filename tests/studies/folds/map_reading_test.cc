@@ -28,10 +28,10 @@ StudyParameters study_reading(const std::vector<std::string>& mapped_with,
   return study;
 }
 
-ByName by_name(const std::vector<Reading>& readings) {
+ByName by_name(const std::vector<MeasuredValue>& readings) {
   testing::expect_known_metrics(readings);
   ByName values;
-  for (const Reading& reading : readings) values[reading.name] = reading.value;
+  for (const MeasuredValue& reading : readings) values[reading.name] = reading.value;
   return values;
 }
 
@@ -89,7 +89,7 @@ TEST(ReadMap, ReportsValuesByChance) {
 // which the map separates both classes, and A B A B, for which it separates none.
 TEST(ReadMap, KeepsTheValueOfEachWrongGrouping) {
   const PreparedStudy prepared = testing::study_of({testing::letter_label("object", "ABBA")});
-  for (const Reading& reading :
+  for (const MeasuredValue& reading :
        read_map(study_reading({}), prepared, kRow, {0, 0, 4, 8}, kReadingSeed)) {
     if (reading.name == "classes_separated_chance") {
       ASSERT_EQ(reading.of_each.size(), 2U);

@@ -24,7 +24,7 @@ TEST(Candidates, AreAllCodesInAllScalings) {
   CandidateGroup group = group_of(recording);
   const auto found = compare_codes(recording, group, false, limits()).value();
   ASSERT_EQ(group.candidates.size(), 15U);  // last, mean, change, curve, histogram
-  for (const Candidate& candidate : group.candidates) EXPECT_TRUE(candidate.is_usable());
+  for (const CandidateCode& candidate : group.candidates) EXPECT_TRUE(candidate.is_usable());
   EXPECT_EQ(group.candidates[1].elements, 3U);
   double sum = 0.0;  // mean ranks from 1 to 8 of each exploration
   for (const float rank : found.ranks[View::kWhole].row(4)) sum += double{rank};

@@ -14,7 +14,7 @@ namespace somato::live {
 
 /// The explorations of a body that follow: those of a plan, one after the other, or those that
 /// viewers select. A demonstration is a plan that a viewer may end.
-class ExplorationPlan {
+class ExplorationSequence {
  public:
   /// The next exploration; without a placement the object is placed at random.
   struct Next {
@@ -24,7 +24,7 @@ class ExplorationPlan {
   };
 
   /// `thing` is selected first.
-  ExplorationPlan(std::vector<PlannedExploration> plan, bool demonstrates, std::size_t thing)
+  ExplorationSequence(std::vector<PlannedExploration> plan, bool demonstrates, std::size_t thing)
       : plan_(std::move(plan)), demonstration_(demonstrates), thing_(thing) {}
 
   std::size_t thing() const { return thing_; }

@@ -1,4 +1,4 @@
-#include "studies/lifelong/replay.h"
+#include "studies/lifelong/replayed_samples.h"
 
 #include <algorithm>
 #include <cmath>

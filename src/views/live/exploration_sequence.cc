@@ -1,9 +1,9 @@
-#include "views/live/exploration_plan.h"
+#include "views/live/exploration_sequence.h"
 
 namespace somato::live {
 
 // The explorations of a demonstration were the first trial.
-Result<void> ExplorationPlan::take_over() {
+Result<void> ExplorationSequence::take_over() {
   if (is_planned() && !demonstrates()) {
     return fail(ErrorKind::kUsage, "the explorations of this session are fixed");
   }
@@ -14,7 +14,7 @@ Result<void> ExplorationPlan::take_over() {
   return {};
 }
 
-ExplorationPlan::Next ExplorationPlan::next() {
+ExplorationSequence::Next ExplorationSequence::next() {
   if (!is_planned()) return {thing_, trials_++, placement_};
   const PlannedExploration& planned = plan_[planned_++];
   thing_ = planned.thing;
