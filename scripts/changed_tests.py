@@ -24,7 +24,7 @@ UNBOUNDED = re.compile(
 # What a changed file reaches beyond includes: the first pattern that matches. Rooms, or single tests.
 REACHED = [
     (r"web/tests/parts/.*", ["web.unit", "web.types"]),
-    (r"web/tests/(report|view)\w*\.test\.ts", [r"web.\1", "web.types"]),
+    (r"web/tests/(report|view)/.*", [r"web.\1", "web.types"]),
     (r"web/src/(report|view)/.*", ["web.unit", "web.types", r"web.\1"]),
     (r"web/schema/.*", ["views/report", "views/live", "web.unit", "web.types"]),
     (r"web/.*", ["web.*"]),

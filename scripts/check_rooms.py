@@ -90,6 +90,13 @@ def check_tests(tree, table):
                 yield f"tests/{wing.name}/{folder.name}: {count} files; at most {MOST_FILES}: {ADVICE}"
 
 
+def check_pages(tree):
+    folders = (path for folder in ("src", "tests") for path in (tree / "web" / folder).rglob("*") if path.is_dir())
+    for folder in folders:
+        if (count := len(files_in(folder))) > MOST_FILES:
+            yield f"{folder.relative_to(tree)}: {count} files; at most {MOST_FILES}: {ADVICE}"
+
+
 def small_units(tree):
     """Units below SMALL_UNIT lines whose header one other file includes."""
     users, lengths = {}, {}
@@ -110,7 +117,7 @@ def small_units(tree):
 def check(tree):
     table = rooms.read(tree)
     problems = [*check_sizes(tree, table), *check_folders(tree, table), *check_readmes(tree, table),
-                *check_tests(tree, table)]
+                *check_tests(tree, table), *check_pages(tree)]
     shown = (tree / "ARCHITECTURE.md").read_text(encoding="utf-8")
     if rooms.markdown(table) not in shown:
         problems.append("ARCHITECTURE.md: its tables are not those of src/rooms.json; run scripts/check_rooms.py --fix")

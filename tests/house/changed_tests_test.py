@@ -49,8 +49,8 @@ class Selected(TreeTest):
 
     def test_files_that_are_not_sources(self):
         for name, reached in (
-                ("web/tests/view.test.ts", {"web.view", "web.types"}),
-                ("web/tests/report_faults.test.ts", {"web.report", "web.types"}),
+                ("web/tests/view/view.test.ts", {"web.view", "web.types"}),
+                ("web/tests/report/report_faults.test.ts", {"web.report", "web.types"}),
                 ("web/tests/parts/orbit.test.ts", {"web.unit", "web.types"}),
                 ("web/src/report/map.ts", {"web.unit", "web.types", "web.report"}),
                 ("python/somato/som.py", {"python"}), ("scripts/mutate.py", {"house"}),

@@ -38,6 +38,11 @@ class Rooms(TreeTest):
             self.write(f"src/base/core/part{number}.h")
         self.assertEqual(self.problems(), [f"base/core: 27 files; at most 26: {check_rooms.ADVICE}"])
 
+    def test_refuses_a_crowded_folder_of_the_pages(self):
+        for number in range(27):
+            self.write(f"web/src/view/part{number}.ts")
+        self.assertEqual(self.problems(), [f"web/src/view: 27 files; at most 26: {check_rooms.ADVICE}"])
+
     def test_refuses_a_small_room_without_a_reason(self):
         (self.tree / "program/flags/part0.h").unlink()
         self.assertEqual(self.problems(), ["program/flags: 3 files; at least 4: join it with its neighbour"])

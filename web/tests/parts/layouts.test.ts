@@ -5,9 +5,9 @@ import { graphLayout } from "../../src/parts/graph_layout";
 import { gridLayout, handLayout, rowSizes } from "../../src/parts/hands/hand_layout";
 import { nearestTowards } from "../../src/parts/hands/towards";
 import { hull } from "../../src/parts/hands/thing_picture";
-import { reportFixture } from "../report_fixture";
-import { randomNumbers } from "../report_runs";
-import { touchElements } from "../report_things";
+import { reportFixture } from "../report/report_fixture";
+import { randomNumbers } from "../report/report_runs";
+import { touchElements } from "../report/report_things";
 
 function module(name: string, inputs: string[], type = "code"): ModuleData {
   const ports = inputs.map((one, i) => ({ port: String(i), module: one }));

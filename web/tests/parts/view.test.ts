@@ -18,8 +18,8 @@ import { PoseMotion } from "../../src/view/scene/pose_motion";
 import { spectrumAxis } from "../../src/view/strips/spectrum_axis";
 import { TrainingPast } from "../../src/view/systems/training_past";
 import { truthOf } from "../../src/view/naming/truth";
-import { bodyState, fakeFrame, fakeState, fakeTraining, kFrames } from "../fake_frames";
-import { fakePoses, fakeScene, kTaxels, kThings } from "../fake_hand";
+import { bodyState, fakeFrame, fakeState, fakeTraining, kFrames } from "../view/fake_frames";
+import { fakePoses, fakeScene, kTaxels, kThings } from "../view/fake_hand";
 
 function frame(exploration: number, index: number): Frame {
   return fakeFrame(exploration, index);

@@ -6,7 +6,7 @@ import type { State, Taught } from "../../src/view/data";
 import { originWords, taughtFrom, taughtWords } from "../../src/view/naming/taught";
 import { truthOf } from "../../src/view/naming/truth";
 import { verdictOf } from "../../src/view/naming/verdict";
-import { fakeFrame, fakeState, unknownFrame } from "../fake_frames";
+import { fakeFrame, fakeState, unknownFrame } from "../view/fake_frames";
 
 const kTaught: Taught = { exploration: 4, name: "cup", before: "unknown", neuron: 17, problem: null };
 

@@ -6,7 +6,7 @@ import { createServer, type IncomingMessage, type Server, type ServerResponse } 
 import type { AddressInfo, Socket } from "node:net";
 import { join } from "node:path";
 
-import type { Command, NeuronAnswer, Scene, State, TaxelAnswer } from "../src/view/data";
+import type { Command, NeuronAnswer, Scene, State, TaxelAnswer } from "../../src/view/data";
 import { fakeFrame, fakeState, fakeStrips, fakeTraining, kFrames, kRate, sceneOf } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 

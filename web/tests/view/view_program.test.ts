@@ -10,9 +10,9 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 
-import { parsed, sequenceColour } from "../src/parts/maps/colour_maps";
-import { digits } from "../src/parts/numbers";
-import { output, somato } from "./program";
+import { parsed, sequenceColour } from "../../src/parts/maps/colour_maps";
+import { digits } from "../../src/parts/numbers";
+import { output, somato } from "../program";
 import {
   bandColour,
   complaints,
@@ -32,7 +32,7 @@ const program = process.env["SOMATO_PROGRAM"] ?? "";
 const scripts = process.env["SOMATO_MCAP_SCRIPTS"] ?? "";
 const folder = mkdtempSync(join(tmpdir(), "somato-view-"));
 const recording = join(folder, "hand2.mcap");
-const source = process.env["SOMATO_SOURCE"] ?? new URL("../..", import.meta.url).pathname;
+const source = process.env["SOMATO_SOURCE"] ?? new URL("../../..", import.meta.url).pathname;
 const systems = join(source, "systems");
 
 let page: Page;

@@ -1,6 +1,6 @@
 // A hand for the fake server: LUCS Haptic Hand II as models/lucs_haptic_hand_2.xml measures it.
 
-import type { Geom, Scene } from "../src/view/data";
+import type { Geom, Scene } from "../../src/view/data";
 
 type Point = [number, number, number];
 type Turn = [number, number, number, number]; // w, x, y, z

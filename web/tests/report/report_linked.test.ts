@@ -4,8 +4,8 @@
 import type { Locator, Page } from "playwright-core";
 import { beforeAll, describe, expect, test } from "vitest";
 
-import { between, kSequence } from "../src/parts/maps/colour_maps";
-import { accessibilityViolations, screenshotPath } from "./browser";
+import { between, kSequence } from "../../src/parts/maps/colour_maps";
+import { accessibilityViolations, screenshotPath } from "../browser";
 import { figureOf, goTo, ReportBrowser, savedRows } from "./report_browser";
 import { reportFixture } from "./report_fixture";
 import { growingSystem } from "./report_systems";

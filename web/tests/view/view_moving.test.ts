@@ -3,8 +3,8 @@
 
 import { describe, expect, it } from "vitest";
 
-import type { Strips } from "../src/view/data";
-import { digits } from "../src/parts/numbers";
+import type { Strips } from "../../src/view/data";
+import { digits } from "../../src/parts/numbers";
 import { bodyState, fakeFrame, fakeTraining, kFrames, kRate } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 import { frameShown, words } from "./view_browser";

@@ -1,7 +1,7 @@
 // Made-up systems that have learned, for the report's fixture: their graph, what their maps hold.
 
-import type { ChannelData, ChannelPlanes, GraphData, GridData, ModuleData } from "../src/parts/data";
-import type { ReceptiveFields, TrainedData } from "../src/report/page/unpacked";
+import type { ChannelData, ChannelPlanes, GraphData, GridData, ModuleData } from "../../src/parts/data";
+import type { ReceptiveFields, TrainedData } from "../../src/report/page/unpacked";
 import { randomNumbers, range, round, uMatrixOf } from "./report_runs";
 
 function module(

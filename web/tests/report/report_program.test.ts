@@ -9,8 +9,8 @@ import { pathToFileURL } from "node:url";
 import type { Locator, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
-import { accessibilityViolations, flatBrowser, screenshotPath } from "./browser";
-import { somato } from "./program";
+import { accessibilityViolations, flatBrowser, screenshotPath } from "../browser";
+import { somato } from "../program";
 
 const kSystem = `
 [study]

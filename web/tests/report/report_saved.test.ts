@@ -5,10 +5,10 @@ import { inflateSync } from "node:zlib";
 import type { Locator, Page } from "playwright-core";
 import { beforeAll, expect, test } from "vitest";
 
-import { between, kSequence, parsed, type Colour } from "../src/parts/maps/colour_maps";
-import { checksum } from "../src/parts/png_text";
-import { kRest, touchColour } from "../src/parts/hands/touch_colours";
-import { screenshotPath } from "./browser";
+import { between, kSequence, parsed, type Colour } from "../../src/parts/maps/colour_maps";
+import { checksum } from "../../src/parts/png_text";
+import { kRest, touchColour } from "../../src/parts/hands/touch_colours";
+import { screenshotPath } from "../browser";
 import { figureOf, goTo, ReportBrowser, saved } from "./report_browser";
 import { reportFixture } from "./report_fixture";
 

@@ -1,9 +1,9 @@
 // Made-up systems of the report's fixture: a hand on a rectangular plane, probes on a hexagonal torus,
 // a variation, and one system of which little is known.
 
-import type { GridData } from "../src/parts/data";
-import type { ClaimReport, SystemReport } from "../src/report/page/unpacked";
-import { emptySystem } from "../src/report/page/read";
+import type { GridData } from "../../src/parts/data";
+import type { ClaimReport, SystemReport } from "../../src/report/page/unpacked";
+import { emptySystem } from "../../src/report/page/read";
 import { clusteredRun, kObjects, kShapeOf, protocol, range, withMaps } from "./report_runs";
 import { kJoints, kTouch, moment, things } from "./report_things";
 import { fields, handGraph, planes, trained } from "./report_trained";

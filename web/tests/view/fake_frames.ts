@@ -1,7 +1,7 @@
 // A made-up grasp for the fake server: frames that anyone can work out again.
 
-import type { GraphData, ModuleData } from "../src/parts/data";
-import type { Frame, Reading, Scene, State, Strips, Training } from "../src/view/data";
+import type { GraphData, ModuleData } from "../../src/parts/data";
+import type { Frame, Reading, Scene, State, Strips, Training } from "../../src/view/data";
 import { fakePoses, fakeScene, kTaxels, kThings } from "./fake_hand";
 
 export const kFrames = 60;

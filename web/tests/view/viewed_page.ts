@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect } from "vitest";
 
-import type { State } from "../src/view/data";
+import type { State } from "../../src/view/data";
 import { FakeServer } from "./fake_server";
 import { complaints, firstFrame, kPages, sceneBrowser } from "./view_browser";
 

@@ -4,7 +4,7 @@
 import type { Locator, Page } from "playwright-core";
 import { beforeAll, describe, expect, test } from "vitest";
 
-import { screenshotPath } from "./browser";
+import { screenshotPath } from "../browser";
 import { figureOf, goTo, readoutAt, ReportBrowser, savedRows, scrollTo } from "./report_browser";
 import { reportFixture } from "./report_fixture";
 

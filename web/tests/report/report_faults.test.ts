@@ -2,7 +2,7 @@
 
 import { describe, expect, test } from "vitest";
 
-import { accessibilityViolations, screenshotPath } from "./browser";
+import { accessibilityViolations, screenshotPath } from "../browser";
 import { goTo, ReportBrowser } from "./report_browser";
 import { hostileFixture, largeFixture, reportFixture } from "./report_fixture";
 

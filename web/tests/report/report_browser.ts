@@ -5,8 +5,8 @@ import { readFileSync } from "node:fs";
 import type { Browser, Download, Locator, Page } from "playwright-core";
 import { afterAll, beforeAll } from "vitest";
 
-import type { ReportData } from "../src/report/page/unpacked";
-import { asScriptText, flatBrowser, writeReport } from "./browser";
+import type { ReportData } from "../../src/report/page/unpacked";
+import { asScriptText, flatBrowser, writeReport } from "../browser";
 
 /** The report as a file has it: every exploration once, to which systems refer by number. */
 export function fileText(data: ReportData): string {

@@ -4,12 +4,12 @@ import { fileURLToPath } from "node:url";
 
 import type { Page } from "playwright-core";
 
-import { kColourRules, kSizeRules, screenshotPath } from "./browser";
+import { kColourRules, kSizeRules, screenshotPath } from "../browser";
 
-export { accessibilityViolations, flatBrowser, sceneBrowser } from "./browser";
+export { accessibilityViolations, flatBrowser, sceneBrowser } from "../browser";
 
 /** Where `npm run build` has put the pages. */
-export const kPages = process.env["SOMATO_WEB_OUT"] ?? fileURLToPath(new URL("../dist", import.meta.url));
+export const kPages = process.env["SOMATO_WEB_OUT"] ?? fileURLToPath(new URL("../../dist", import.meta.url));
 
 /** The dark and wide page differs from the light one, which all rules check, in colours and sizes. */
 export function rulesFor(colorScheme: "dark" | "light", width: number): string[] {

@@ -1,7 +1,7 @@
 // Made-up runs of the report's fixture: winners that lie together by class, and what is measured.
 
-import type { GridData } from "../src/parts/data";
-import type { MetricData, ProtocolData, RunData } from "../src/report/page/unpacked";
+import type { GridData } from "../../src/parts/data";
+import type { MetricData, ProtocolData, RunData } from "../../src/report/page/unpacked";
 
 /** Random numbers from 0 to 1 by mulberry32, so that the fixture never changes. */
 export function randomNumbers(seed: number): () => number {

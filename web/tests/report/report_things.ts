@@ -1,7 +1,7 @@
 // Made-up things of the report's fixture, and what was felt of them.
 
-import type { ChannelData, ThingData } from "../src/parts/data";
-import type { MomentData } from "../src/report/page/unpacked";
+import type { ChannelData, ThingData } from "../../src/parts/data";
+import type { MomentData } from "../../src/report/page/unpacked";
 import { kShapeOf, randomNumbers, range, round } from "./report_runs";
 
 export function touchElements(): string[] {

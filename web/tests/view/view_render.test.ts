@@ -6,7 +6,7 @@ import { join } from "node:path";
 
 import { afterAll, beforeAll, expect, it } from "vitest";
 
-import { output, somato } from "./program";
+import { output, somato } from "../program";
 
 const folder = mkdtempSync(join(tmpdir(), "somato-render-"));
 const recording = join(folder, "pressed.mcap");

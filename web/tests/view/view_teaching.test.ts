@@ -2,8 +2,8 @@
 
 import { beforeEach, describe, expect, it } from "vitest";
 
-import type { State, Taught } from "../src/view/data";
-import { kColourRules } from "./browser";
+import type { State, Taught } from "../../src/view/data";
+import { kColourRules } from "../browser";
 import { fakeFrame, fakeState, kFrames, unknownFrame } from "./fake_frames";
 import { accessibilityViolations, flatBrowser, frameShown, rulesFor, screenshot, words } from "./view_browser";
 import { soon, ViewedPage } from "./viewed_page";

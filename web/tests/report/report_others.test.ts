@@ -4,8 +4,8 @@
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
 
-import type { ReportData } from "../src/report/page/unpacked";
-import { flatBrowser, writeReport } from "./browser";
+import type { ReportData } from "../../src/report/page/unpacked";
+import { flatBrowser, writeReport } from "../browser";
 import { fileText, goTo } from "./report_browser";
 import { reportFixture } from "./report_fixture";
 

@@ -2,8 +2,8 @@
 
 import { beforeEach, describe, expect, it } from "vitest";
 
-import { parsed, sequenceColour } from "../src/parts/maps/colour_maps";
-import { digits, percent } from "../src/parts/numbers";
+import { parsed, sequenceColour } from "../../src/parts/maps/colour_maps";
+import { digits, percent } from "../../src/parts/numbers";
 import { fakeFrame, fakeState, kFrames } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
 import {

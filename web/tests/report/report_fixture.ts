@@ -1,9 +1,9 @@
 // Makes reports, the same every time: one that has every field, one with invalid names, and a
 // large one.
 
-import type { GridData } from "../src/parts/data";
-import type { ClaimReport, CurveReport, ReportData, SystemReport } from "../src/report/page/unpacked";
-import { emptySystem } from "../src/report/page/read";
+import type { GridData } from "../../src/parts/data";
+import type { ClaimReport, CurveReport, ReportData, SystemReport } from "../../src/report/page/unpacked";
+import { emptySystem } from "../../src/report/page/read";
 import {
   clusteredRun,
   kObjects,
