@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "bodies/physics/tick_clock.h"
+#include "bodies/probes/tick_clock.h"
 #include "somato/bodies/body.h"
 
 namespace somato::detail {

@@ -7,7 +7,7 @@
 
 #include "somato/bodies/exploring.h"
 #include "somato/core/result.h"
-#include "views/session/demonstration.h"
+#include "views/live/demonstration.h"
 #include "views/session/view_source.h"
 
 namespace somato::live {

@@ -1,4 +1,4 @@
-#include "views/session/demonstration.h"
+#include "views/live/demonstration.h"
 
 #include <gtest/gtest.h>
 
