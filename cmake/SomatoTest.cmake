@@ -1,7 +1,7 @@
 # How tests are built and registered. A group of tests is a wing (src/rooms.json) or a folder of tests. Each test
 # has the label of its group, and each group a target GROUP_group, so that './dev test GROUP' builds and runs its
-# tests. The cases of a room are one test, GROUP.ROOM, with the label GROUP/ROOM too; tests that only
-# './dev test --all' runs have the label 'long'.
+# tests. The cases of a room are one test, GROUP.ROOM, with the label GROUP/ROOM too, and so have others of the room,
+# GROUP.ROOM.NAME; tests that only './dev test --all' runs have the label 'long'.
 
 # Each room writes the durations of its cases to test_cases/, and each test its processor time to test_times/,
 # which scripts/budget.py compares with the budget.
@@ -22,6 +22,9 @@ endfunction()
 function(somato_test group name)
   cmake_parse_arguments(PARSE_ARGV 2 test "LONG" "" "DEPENDS;COMMAND")
   set(labels ${group})
+  if(name MATCHES "^([^.]+)[.]")
+    list(APPEND labels ${group}/${CMAKE_MATCH_1})
+  endif()
   if(test_LONG)
     list(APPEND labels long)
   endif()

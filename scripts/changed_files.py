@@ -35,7 +35,7 @@ def included_by(path, tree=TREE):
 
 
 def sources_of(tree):
-    return [path for folder in FOLDERS for ending in ("*.h", "*.cc") for path in (tree / folder).rglob(ending)]
+    return [path for folder in FOLDERS for ending in ("*.h", "*.cc", "*.inc") for path in (tree / folder).rglob(ending)]
 
 
 def includers_by_header(tree):

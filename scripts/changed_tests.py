@@ -20,7 +20,7 @@ UNKNOWN = 10  # processor seconds of tests that have no figure
 UNBOUNDED = re.compile(
     r"dev|CMakeLists\.txt|CMakePresets\.json|pyproject\.toml|cmake/.*|\.ci/.*|(?:src|program|web|python|fuzz)/CMakeLists\.txt"
     r"|tests/CMakeLists\.txt|tests/\w+/support/.*\.cc|scripts/(?:with_processor_time|setup|fetch_\w+)\.sh"
-    r"|scripts/(?:packages|mujoco)\.txt")
+    r"|scripts/(?:packages|mujoco)\.txt|src/rooms\.json|program/version\.h\.in")
 # What a changed file reaches beyond includes: the first pattern that matches. Rooms, or single tests.
 REACHED = [
     (r"web/tests/parts/.*", ["web.unit", "web.types"]),
@@ -38,7 +38,7 @@ REACHED = [
     (r"fuzz/corpus/(\w+)/.*", [r"fuzz.\1_replay"]),
     (r"fuzz/.*", ["fuzz.*"]),
     (r"tests/install/.*|tests/\w+/support/.*", []),
-    (r"tests/(base|maps|recordings|bodies|hardware|systems|studies|views|program|mcap)/(\w+)/.*", [r"\1/\2"]),
+    (rf"tests/({'|'.join([*rooms.read().wings, 'mcap'])})/(\w+)/.*", [r"\1/\2"]),
     (r"tests/(\w+)/.*", [r"\1"]),
     # Files that are compiled into the library, with the rooms that read them there.
     (r"(?:systems|studies)/.*", ["studies"]),
@@ -91,7 +91,7 @@ def select(tree, names):
     table = rooms.read(tree)
     chosen = Selection(unbounded=[name for name in names if UNBOUNDED.fullmatch(name)])
     chosen.documents = [name for name in names if is_document(name) and (tree / name).is_file()]
-    sources = [name for name in names if name.endswith((".h", ".cc"))]
+    sources = [name for name in names if name.endswith((".h", ".cc", ".inc"))]
     for name in names:
         chosen.changed.update(filter(None, [room_of(table, name)] if name in sources else reached_by_name(name)))
     includers = changed_files.includers_by_header(tree) if sources else {}
@@ -106,8 +106,7 @@ def select(tree, names):
 def matches(item, test):
     """Whether a wing, a room or a test, `item`, includes the test of ctest."""
     name = item.replace("/", ".")
-    return test.split(".")[0] == name if "." not in name else bool(
-        re.fullmatch(re.escape(name).replace(r"\*", ".*"), test))
+    return test.startswith(f"{name}.") or bool(re.fullmatch(re.escape(name).replace(r"\*", ".*"), test))
 
 
 def within_limit(chosen, tests, seconds_of):

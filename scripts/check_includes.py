@@ -13,6 +13,9 @@ import rooms
 # Headers of others that a public header may bring in, by the header that may.
 GUESTS = {"core/result.h": ["tl/expected.hpp"]}
 
+# Headers that the build makes.
+GENERATED = {"version.h"}
+
 # Rooms of hardware in which servos are driven: a period takes no lock. Files that only prepare a device may.
 LOCKS = {"mutex", "shared_mutex", "condition_variable", "semaphore", "future", "thread", "latch",
          "barrier", "pthread.h", "semaphore.h"}
@@ -34,7 +37,14 @@ def breaks_table(table, place, header):
         return None
     same_wing = place[0] == other[0]
     seen, from_here = ("/".join(other), "/".join(place)) if same_wing else (other[0], place[0])
-    return f"'{from_here}' may not look at '{seen}' ({header})"
+    return f"'{from_here}' may not include '{seen}' ({header})"
+
+
+def has_no_place(table, bracket, header):
+    """Quoted headers are those of rooms, or generated."""
+    if bracket != '"' or header in GENERATED or table.place_of_header(header) is not None:
+        return None
+    return f"'{header}' is not the path of a header of a room"
 
 
 def breaks_public_rule(public_name, bracket, header):
@@ -82,7 +92,8 @@ def check(tree):
             problems.append(f"{where}:1: '{where.parent}' is not a room of src/rooms.json")
             continue
         for line, bracket, header in includes(path):
-            found = [breaks_table(table, place, header), may_lock(place, where, header)]
+            found = [has_no_place(table, bracket, header), breaks_table(table, place, header),
+                     may_lock(place, where, header)]
             if public in path.parents:
                 name = path.relative_to(public).as_posix()
                 found.append(breaks_public_rule(name, bracket, header))

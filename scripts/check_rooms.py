@@ -17,7 +17,7 @@ MOST_ROOMS = 10
 LONGEST_README = 60  # lines
 SMALL_UNIT = 40  # lines of a header and its source
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
-ADVICE = "move a wall (docs/decisions/0037-wings.md)"
+ADVICE = "split it, or move files to a neighbour (CONTRIBUTING.md)"
 
 # Folders of files that are not rooms, each with its reason.
 ROOMS_OF_TESTS = {
@@ -90,6 +90,23 @@ def check_tests(tree, table):
                 yield f"tests/{wing.name}/{folder.name}: {count} files; at most {MOST_FILES}: {ADVICE}"
 
 
+def check_places_of_tests(tree, table):
+    """Tests that are not in tests/WING/ROOM, where they would not be compiled."""
+    for wing in table.wings:
+        folder = tree / "tests" / wing
+        for path in sorted(folder.rglob("*_test.cc")) if folder.is_dir() else []:
+            parts = path.relative_to(folder).parts
+            if len(parts) != 2:
+                yield f"{path.relative_to(tree)}: a test belongs to tests/{wing}/ROOM"
+
+
+def check_programs_of_tests(tree, table):
+    """Wings whose tests no program runs."""
+    listed = (tree / "tests/CMakeLists.txt").read_text(encoding="utf-8")
+    yield from (f"tests/CMakeLists.txt: no line somato_wing_tests({wing} ...)" for wing in table.wings
+                if not re.search(rf"^somato_wing_tests\({wing}\b", listed, re.MULTILINE))
+
+
 def check_pages(tree):
     folders = (path for folder in ("src", "tests") for path in (tree / "web" / folder).rglob("*") if path.is_dir())
     for folder in folders:
@@ -117,7 +134,8 @@ def small_units(tree):
 def check(tree):
     table = rooms.read(tree)
     problems = [*check_sizes(tree, table), *check_folders(tree, table), *check_readmes(tree, table),
-                *check_tests(tree, table), *check_pages(tree)]
+                *check_tests(tree, table), *check_places_of_tests(tree, table), *check_programs_of_tests(tree, table),
+                *check_pages(tree)]
     shown = (tree / "ARCHITECTURE.md").read_text(encoding="utf-8")
     if rooms.markdown(table) not in shown:
         problems.append("ARCHITECTURE.md: its tables are not those of src/rooms.json; run scripts/check_rooms.py --fix")

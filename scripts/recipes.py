@@ -37,9 +37,8 @@ class Recipe:
         return NEW_FILE.findall(self.patch)
 
     def places(self):
-        """The places that it touches: a header and its source are one, generated pages none; the changelog is one."""
-        units = {re.sub(r"\.(h|cc)$", "", file) for file in self.files()} - set(GENERATED.values())
-        return len(units) + 1
+        """The places in code that it touches: a header and its source are one; the changelog is one."""
+        return len({re.sub(r"\.(h|cc)$", "", file) for file in self.files() if not file.startswith("docs/")}) + 1
 
 
 def read(tree):

@@ -68,7 +68,8 @@ def markdown(table):
     lines = ["| wing | holds | may use | rooms, in their order |", "|---|---|---|---|"]
     for name, wing in table.wings.items():
         uses = "all" if len(wing["uses"]) == len(table.wings) - 1 else ", ".join(wing["uses"]) or "–"
-        lines.append(f"| `{name}` | {wing['holds']} | {uses} | {', '.join(wing['rooms'])} |")
+        page = f"{'' if name == 'program' else 'src/'}{name}/README.md"
+        lines.append(f"| [`{name}`]({page}) | {wing['holds']} | {uses} | {', '.join(wing['rooms'])} |")
     lines += ["", "| room | holds |", "|---|---|"]
     for name, wing in table.wings.items():
         lines += [f"| `{name}/{room}` | {entry['holds']} |" for room, entry in wing["rooms"].items()]

@@ -6,7 +6,8 @@ header that it includes, its compile command, the rules or the version of clang-
 headers takes most of the time. --changed: only files that differ from the parent branch, and for a header
 the first source that includes it. Each of them is read separately and without precompiled headers, so
 that a missing include and an unused using declaration are reported. A change of more than MOST_SEPARATE files, such
-as a move of folders, is left to a run without --changed, which ./dev test --all contains.
+as a move of folders, is left to a run without --changed, which ./dev test --all contains, and which does not
+find missing includes.
 
 usage: run_clang_tidy.py [--fix] [--changed]
 """
@@ -104,7 +105,8 @@ def main():
     build = SEPARATE if given.changed else TOGETHER
     files = only_changed(entries(build)) if given.changed else entries(build)
     if given.changed and len(files) > MOST_SEPARATE:
-        print(f"{len(files)} files have changed, too many to read one by one: ./dev test --all reads all together")
+        print(f"{len(files)} files have changed, too many to read one by one for missing includes: ./dev test --all reads "
+              "all together")
         return 0
     passed_marks.prune()
     # Two at once would write the same header's fixes twice.

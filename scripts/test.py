@@ -259,8 +259,9 @@ def run_rooms(wanted, thorough):
     selection = ["-L", f"^({'|'.join(wanted)})$"] + ([] if thorough else ["-LE", "^long$"])
     passed = test_cases.run(DEV, selection)
     report_tests()
-    others = ", ".join(room for room in rooms() if "/" not in room and room not in wanted)
-    print(f"Not run: the tests of {others}; {'' if thorough else 'long tests; '}"
+    others = ", ".join(room for room in rooms() if "/" not in room and not any(
+        one.split("/")[0] == room for one in wanted))
+    print(f"Not run: the tests of {others}, and of other rooms; {'' if thorough else 'long tests; '}"
           "all checks; sanitizers; the second compiler")
     return passed
 
@@ -318,6 +319,8 @@ def main():
         return print_rooms()
     if given.only == "failed":
         return run_failed()
+    if given.only == "changed":
+        return run_changed()
     if given.rooms:
         return run_rooms(given.rooms, given.only == "all")
     return run_stages(given.only == "all", given.only == "budget")

@@ -21,12 +21,12 @@ version = release = re.search(r"project\(somato VERSION ([0-9.]+)",
 extensions = ["myst_nb", "breathe", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx_copybutton",
               "site_pages", "site_api", "site_math"]
 
-FOLDERS_WITHOUT_PAGES = [path.name for path in TREE.iterdir() if path.name not in ("docs", "examples")
+FOLDERS_WITHOUT_PAGES = [path.name for path in TREE.iterdir() if path.name not in ("docs", "examples", "src", "program")
                          and path.is_dir()]
 # The pages stay where they are, so that their links are those of the repository.
 root_doc = "docs/README"
 include_patterns = ["docs/**", "README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "STYLE.md",
-                    "examples/**"]
+                    "examples/**", "src/*/README.md", "program/README.md"]
 exclude_patterns = ["docs/site", "docs/pictures", *FOLDERS_WITHOUT_PAGES]
 
 myst_enable_extensions = ["dollarmath"]

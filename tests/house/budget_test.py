@@ -1,6 +1,7 @@
 import contextlib
 import io
 import subprocess
+import sys
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -110,6 +111,16 @@ class Measured(TreeTest):
     def test_the_fixed_job_is_the_same_work_everywhere(self):
         # Another checksum is other work: figures of the budget then have another unit.
         self.assertEqual(fixed_job.work(), "fa2054dc4dfcdbcdfa6b5c6050de9d5407fcd78761eeb46486118d26466ac8dc")
+
+
+class Flags(unittest.TestCase):
+    def test_each_flag_runs_what_it_names(self):
+        for words, function in ((["--changed"], "run_changed"), (["--failed"], "run_failed"), (["--rooms"], "print_rooms"),
+                                (["maps/som"], "run_rooms"), ([], "run_stages"), (["--all"], "run_stages")):
+            with self.subTest(words), mock.patch.object(sys, "argv", ["test.py", *words]), \
+                    mock.patch.object(dev_test, function, return_value=True) as called:
+                self.assertTrue(dev_test.main())
+                called.assert_called_once()
 
 
 class Stages(TreeTest):

@@ -44,6 +44,11 @@ class Selected(TreeTest):
         self.write("src/maps/som/som_elements.cc", '#include "somato/maps/som.h"\n')
         self.assertEqual(self.select("src/maps/som/som_elements.cc").near["systems"], 1)
 
+    def test_a_table_that_is_included(self):
+        self.write("src/studies/results/metrics.inc", "")
+        self.write("src/studies/results/metric_table.cc", '#include "studies/results/metrics.inc"\n')
+        self.assertEqual(self.select("src/studies/results/metrics.inc").changed, {"studies/results"})
+
     def test_a_removed_header_is_not_an_error(self):
         self.assertEqual(self.select("src/maps/som/gone.h").changed, {"maps/som"})
 
@@ -54,6 +59,7 @@ class Selected(TreeTest):
                 ("web/tests/parts/orbit.test.ts", {"web.unit", "web.types"}),
                 ("web/src/report/map.ts", {"web.unit", "web.types", "web.report"}),
                 ("python/somato/som.py", {"python"}), ("scripts/mutate.py", {"house"}),
+                ("tests/program/hostile/killed_sessions.py", {"program/hostile"}),
                 ("systems/texture.toml", {"studies"}), ("devices/leap.toml", {"hardware"}),
                 ("fuzz/corpus/csv/a.csv", {"fuzz.csv_replay"}), ("tests/same_bits/expected.txt", {"same_bits"}),
                 ("CHANGELOG.md", set())):
@@ -66,7 +72,7 @@ class Selected(TreeTest):
         self.assertEqual((chosen.documents, chosen.changed), (["docs/maps.md"], set()))
 
     def test_what_cannot_be_bounded(self):
-        names = ["dev", "cmake/SomatoTest.cmake", "src/CMakeLists.txt", "tests/base/support/random.cc"]
+        names = ["dev", "src/rooms.json", "cmake/SomatoTest.cmake", "src/CMakeLists.txt", "tests/base/support/random.cc"]
         self.assertEqual(self.select(*names).unbounded, names)
         self.assertEqual(self.select("tests/web/CMakeLists.txt").unbounded, [])
 
@@ -85,6 +91,11 @@ class WithinLimit(unittest.TestCase):
     def test_a_changed_room_runs_whatever_it_costs(self):
         run, left = changed_tests.within_limit(self.chosen(["program"]), TESTS, lambda _: 1000)
         self.assertEqual((run, left), (["program.view"], []))
+
+    def test_a_room_with_several_tests(self):
+        tests = ["program.hostile.killed_sessions.1", "program.hostile_other", "program.view"]
+        run, _ = changed_tests.within_limit(self.chosen(["program/hostile"]), tests, lambda _: 1)
+        self.assertEqual(run, ["program.hostile.killed_sessions.1"])
 
     def test_single_tests(self):
         run, _ = changed_tests.within_limit(self.chosen(["web.view*", "fuzz.csv_replay"]), TESTS, lambda _: 1)

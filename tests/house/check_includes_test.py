@@ -24,23 +24,29 @@ class IncludeTable(TreeTest):
         self.write("program/view/loop.cc", '#include "views/live/loop.h"\n#include "terminal/wording.h"\n')
         self.assertEqual(self.problems(), [])
 
-    def test_refuses_a_look_at_a_wing_above_and_says_where(self):
+    def test_refuses_a_wing_above_and_says_where(self):
         self.write("src/base/core/random.cc", "#include <cmath>\n\n#include \"somato/maps/grid.h\"\n")
         self.assertEqual(self.problems(), [
-            "src/base/core/random.cc:3: 'base' may not look at 'maps' (somato/maps/grid.h)"])
+            "src/base/core/random.cc:3: 'base' may not include 'maps' (somato/maps/grid.h)"])
 
-    def test_refuses_a_look_at_a_later_room(self):
+    def test_refuses_a_later_room(self):
         self.write("src/maps/grid/ring.cc", '#include "maps/som/map_rows.h"\n')
         self.write("program/terminal/wording.cc", '#include "view/browser.h"\n')
         self.assertEqual(self.problems(), [
-            "src/maps/grid/ring.cc:1: 'maps/grid' may not look at 'maps/som' (maps/som/map_rows.h)",
-            "program/terminal/wording.cc:1: 'program/terminal' may not look at 'program/view' (view/browser.h)"])
+            "src/maps/grid/ring.cc:1: 'maps/grid' may not include 'maps/som' (maps/som/map_rows.h)",
+            "program/terminal/wording.cc:1: 'program/terminal' may not include 'program/view' (view/browser.h)"])
 
-    def test_refuses_a_look_aside(self):
+    def test_refuses_a_wing_beside(self):
         self.write("include/somato/codes/one_hot.h", '#include "somato/simulation/hand.h"\n')
         self.write("src/maps/grid/grid.cc", '#include "somato/recording/recording.h"\n')
         self.write("src/bodies/hands/hand.cc", '#include "somato/graph/graph.h"\n')
         self.assertEqual(len(self.problems()), 3)
+
+    def test_refuses_paths_around_the_table(self):
+        self.write("src/base/core/random.cc", '#include "../../studies/folds/fold_run.h"\n#include "random.h"\n')
+        self.assertEqual(self.problems(), [
+            "src/base/core/random.cc:1: '../../studies/folds/fold_run.h' is not the path of a header of a room",
+            "src/base/core/random.cc:2: 'random.h' is not the path of a header of a room"])
 
     def test_sees_internal_headers_and_angle_brackets(self):
         self.write("src/base/files/bytes.cc", '#include "maps/som/map_rows.h"\n#  include <somato/maps/grid.h>\n')

@@ -15,7 +15,7 @@ TABLE = {
 class Rooms(TreeTest):
     def setUp(self):
         super().setUp()
-        (self.tree / "tests").mkdir()
+        self.write("tests/CMakeLists.txt", "somato_wing_tests(base)\nsomato_wing_tests(program libraries)\n")
         self.write_table(TABLE)
         self.write("src/base/README.md", "# base\n\n- `core`: checks.\n")
         self.write("program/README.md", "# program\n\n- `flags`: commands.\n")
@@ -37,6 +37,10 @@ class Rooms(TreeTest):
         for number in range(4, 27):
             self.write(f"src/base/core/part{number}.h")
         self.assertEqual(self.problems(), [f"base/core: 27 files; at most 26: {check_rooms.ADVICE}"])
+
+    def test_refuses_a_wing_whose_tests_no_program_runs(self):
+        self.write("tests/CMakeLists.txt", "somato_wing_tests(base)\n# somato_wing_tests(program)\n")
+        self.assertEqual(self.problems(), ["tests/CMakeLists.txt: no line somato_wing_tests(program ...)"])
 
     def test_refuses_a_crowded_folder_of_the_pages(self):
         for number in range(27):
@@ -65,6 +69,12 @@ class Rooms(TreeTest):
         self.assertEqual(self.problems(), [
             "base/attic: not a room of src/rooms.json", "src/attic: not a wing of src/rooms.json",
             "tests/attic: not a wing of src/rooms.json", "tests/base/attic: not a room of src/rooms.json"])
+
+    def test_refuses_tests_that_would_not_be_compiled(self):
+        for name in ("tests/base/part_test.cc", "tests/base/core/deeper/part_test.cc", "tests/base/core/part_test.cc"):
+            self.write(name)
+        self.assertEqual(self.problems(), ["tests/base/core/deeper/part_test.cc: a test belongs to tests/base/ROOM",
+                                           "tests/base/part_test.cc: a test belongs to tests/base/ROOM"])
 
     def test_refuses_a_page_with_another_table(self):
         self.write("ARCHITECTURE.md", "| wing | may use |\n|---|---|\n| old | all |\n\n| room |\n|---|\n\nText\n")

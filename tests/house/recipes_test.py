@@ -64,7 +64,7 @@ class Recipes(TreeTest):
         self.write("docs/recipes/part.md", PAGE.replace("+++ b/src/part.cc\n", f"+++ b/src/part.cc\n{more}"))
         self.assertIn("it touches 7 places; at most 6", recipes.check(self.tree)[0])
 
-    def test_a_header_with_its_source_is_one_place_and_a_generated_page_none(self):
+    def test_a_header_with_its_source_is_one_place_and_a_page_none(self):
         patch = "+++ b/src/part.h\n+++ b/src/part.cc\n+++ b/docs/reference/modules.md\n"
         self.assertEqual(recipes.Recipe("part", patch, ()).places(), 2)
 

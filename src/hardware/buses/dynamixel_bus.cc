@@ -47,6 +47,7 @@ constexpr double kDynamixelExtendedRange = 1'048'575.0;  // steps; the range wit
 
 constexpr PacketServoKind kDynamixelServos{
     .maker = "Dynamixel",
+    .series = "the X series",
     .highest_id = 252,
     .torque = dynamixel_x::kTorqueEnable,
     .return_delay = dynamixel_x::kReturnDelay,

@@ -33,6 +33,7 @@ constexpr double kFeetechSpeedUnit = 50.0;  // steps/s
 
 constexpr PacketServoKind kFeetechServos{
     .maker = "Feetech",
+    .series = "the STS or SCS series",
     .highest_id = 253,
     .torque = feetech::kTorqueEnable,
     .return_delay = feetech::kReturnDelay,

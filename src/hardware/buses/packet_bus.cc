@@ -73,7 +73,7 @@ Result<PacketBus::Answer> PacketBus::ask(const Servo& servo, Span request, std::
   }
   if (refusal != 0) {
     return fail(ErrorKind::kData, fmt::format("the servo refuses a request (error {})", refusal),
-                servo.place(), "check that it is a servo of the X series");
+                servo.place(), fmt::format("check that it is a servo of {}", kind_.series));
   }
   return answer;
 }

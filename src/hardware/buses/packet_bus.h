@@ -25,6 +25,7 @@ struct PacketServo {
 /// sizes in bytes, and words of messages.
 struct PacketServoKind {
   std::string_view maker;
+  std::string_view series;  ///< With an article.
   unsigned highest_id = 0;
   std::uint16_t torque = 0;
   std::uint16_t return_delay = 0;

@@ -22,6 +22,7 @@ FoldOutcome outcome_number(std::size_t number) {
   outcome.nearest.standardized = {number, 1};
   outcome.summed_distance = 0.1 + static_cast<double>(number) / 3.0;
   outcome.topographic_errors = 1.0 / 7.0;
+  outcome.altered = {{{number, 5}, {{number}, {6}}}, AlteredOutcome{}};
   outcome.recalled = {number, 3};
   outcome.map.grid = number % 2 == 0 ? Grid(4, 3, Lattice::kHexagonal, Topology::kTorus)
                                      : Grid(std::make_shared<const NeuronGraph>(
