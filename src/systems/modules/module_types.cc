@@ -5,35 +5,11 @@
 #include "systems/modules/support.h"
 
 namespace somato {
-namespace modules {
-
-// A function for each source of this room with types of modules: declared here, where they are
-// listed, so that a new source changes one other file.
-using Types = std::vector<ModuleType>;
-Types source_types();
-Types code_types();
-Types scaling_types();
-Types frame_types();
-Types feature_types();
-Types drift_types();
-Types memory_types();
-Types som_types();
-Types growing_types();
-Types t_mpsom_types();
-Types winner_types();
-Types association_types();
-
-constexpr Types (*kSources[])() = {source_types,  code_types,    scaling_types, frame_types,
-                                   feature_types, drift_types,   memory_types,  som_types,
-                                   growing_types, t_mpsom_types, winner_types,  association_types};
-
-}  // namespace modules
-
 namespace {
 
 std::vector<ModuleType> all_types() {
   std::vector<ModuleType> all;
-  for (const auto types : modules::kSources) {
+  for (const auto types : modules::kTypesOfSources) {
     for (ModuleType& type : types()) all.push_back(std::move(type));
   }
   return all;

@@ -78,4 +78,24 @@ ModuleType describe(std::string name, std::string text, std::vector<InputPort> p
 InputPort input_port(std::string text);
 InputPort input_ports(std::string text);
 
+/// The types of a source of this room: declared and listed here, so that a new source changes one
+/// other file.
+using Types = std::vector<ModuleType>;
+Types source_types();
+Types code_types();
+Types scaling_types();
+Types frame_types();
+Types feature_types();
+Types drift_types();
+Types memory_types();
+Types som_types();
+Types growing_types();
+Types t_mpsom_types();
+Types winner_types();
+Types association_types();
+
+inline constexpr Types (*kTypesOfSources[])() = {
+    source_types, code_types, scaling_types, frame_types,   feature_types, drift_types,
+    memory_types, som_types,  growing_types, t_mpsom_types, winner_types,  association_types};
+
 }  // namespace somato::modules
