@@ -10,13 +10,13 @@ import sys
 from pathlib import Path
 
 import rooms
+from check_includes import includes
 
 MOST_FILES = 26
 FEWEST_FILES = 4
 MOST_ROOMS = 10
 LONGEST_README = 60  # lines
 SMALL_UNIT = 40  # lines of a header and its source
-INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 ADVICE = "split it, or move files to a neighbour (CONTRIBUTING.md)"
 
 # Folders of files that are not rooms, each with its reason.
@@ -32,8 +32,9 @@ def files_in(folder):
     return [path for path in folder.iterdir() if path.is_file()]
 
 
-def folder_of(tree, wing, room=""):
-    return tree / ("program" if wing == "program" else f"src/{wing}") / room
+def crowded(folder, name):
+    count = len(files_in(folder)) if folder.is_dir() else 0
+    return [f"{name}: {count} files; at most {MOST_FILES}: {ADVICE}"] if count > MOST_FILES else []
 
 
 def check_sizes(tree, table):
@@ -41,10 +42,9 @@ def check_sizes(tree, table):
         if len(entry["rooms"]) > MOST_ROOMS:
             yield f"{wing}: {len(entry['rooms'])} rooms; at most {MOST_ROOMS}: {ADVICE}"
         for room, about in entry["rooms"].items():
-            folder = folder_of(tree, wing, room)
+            folder = tree / table.folder(wing, room)
+            yield from crowded(folder, f"{wing}/{room}")
             count = len(files_in(folder)) if folder.is_dir() else 0
-            if count > MOST_FILES:
-                yield f"{wing}/{room}: {count} files; at most {MOST_FILES}: {ADVICE}"
             if count < FEWEST_FILES and "small" not in about:
                 yield f"{wing}/{room}: {count} files; at least {FEWEST_FILES}: join it with its neighbour"
 
@@ -52,7 +52,7 @@ def check_sizes(tree, table):
 def check_folders(tree, table):
     """Folders without a row in the table, and rows without a name."""
     for wing, entry in table.wings.items():
-        folder = folder_of(tree, wing)
+        folder = tree / table.folder(wing)
         found = {path.name for path in folder.iterdir() if path.is_dir()} if folder.is_dir() else set()
         yield from (f"{wing}/{name}: not a room of src/rooms.json" for name in sorted(found - set(entry["rooms"])))
         yield from (f"{wing}/{room}: src/rooms.json does not say what it holds"
@@ -64,7 +64,7 @@ def check_folders(tree, table):
 
 def check_readmes(tree, table):
     for wing in table.wings:
-        page = folder_of(tree, wing) / "README.md"
+        page = tree / table.folder(wing) / "README.md"
         if not page.is_file():
             yield f"{wing}: no README.md, which says what comes in, what goes out and how to add the usual thing"
             continue
@@ -86,8 +86,7 @@ def check_tests(tree, table):
         for folder in (path for path in wing.iterdir() if path.is_dir() and path.name != "__pycache__"):
             if folder.name not in {*table.rooms(wing.name), *OTHER_TESTS}:
                 yield f"tests/{wing.name}/{folder.name}: not a room of src/rooms.json"
-            if (count := len(files_in(folder))) > MOST_FILES:
-                yield f"tests/{wing.name}/{folder.name}: {count} files; at most {MOST_FILES}: {ADVICE}"
+            yield from crowded(folder, f"tests/{wing.name}/{folder.name}")
 
 
 def check_places_of_tests(tree, table):
@@ -110,8 +109,7 @@ def check_programs_of_tests(tree, table):
 def check_pages(tree):
     folders = (path for folder in ("src", "tests") for path in (tree / "web" / folder).rglob("*") if path.is_dir())
     for folder in folders:
-        if (count := len(files_in(folder))) > MOST_FILES:
-            yield f"{folder.relative_to(tree)}: {count} files; at most {MOST_FILES}: {ADVICE}"
+        yield from crowded(folder, folder.relative_to(tree).as_posix())
 
 
 def small_units(tree):
@@ -120,10 +118,9 @@ def small_units(tree):
     for base, path in ((base, path) for base in ("src", "program") for path in sorted((tree / base).rglob("*.[hc]*"))):
         if path.suffix not in (".h", ".cc"):
             continue
-        text = path.read_text(encoding="utf-8")
         name = path.relative_to(tree / base).with_suffix("").as_posix()
-        lengths[name] = lengths.get(name, 0) + text.count("\n")
-        for header in INCLUDE.findall(text):
+        lengths[name] = lengths.get(name, 0) + path.read_text(encoding="utf-8").count("\n")
+        for _, _, header in includes(path):
             if header.removesuffix(".h") != name:
                 users.setdefault(header, set()).add(name)
     for name, length in sorted(lengths.items()):

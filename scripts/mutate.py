@@ -41,7 +41,7 @@ class Room:
         wing = name.split("/")[0]
         self.is_program = wing == "program"
         self.tests = DEV / "tests" / f"{wing}_tests"
-        folder = TREE / name if self.is_program else TREE / "src" / name
+        folder = TREE / rooms.Table.folder(*name.split("/"))
         self.sources = [path for path in sorted(folder.rglob("*.cc")) if not is_loaded_library(path)]
         self.compile = compile_commands.by_file(DEV)
         self.link = self.link_command("somato" if self.is_program else f"tests/{wing}_tests")

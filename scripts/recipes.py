@@ -15,6 +15,8 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+import check_text
+
 TREE = Path(__file__).resolve().parent.parent
 FOLDER = Path("docs/recipes")
 DIFF = re.compile(r"^```diff\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -76,13 +78,10 @@ def check(tree):
 
 
 def copy_tree(to):
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=TREE,
-                            capture_output=True, text=True, check=True).stdout
     shutil.rmtree(to, ignore_errors=True)
-    for name in filter(None, listed.split("\0")):
-        if (TREE / name).is_file():
-            (to / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(TREE / name, to / name)
+    for name in check_text.tracked(TREE):
+        (to / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(TREE / name, to / name)
 
 
 def build(tree, groups):

@@ -10,7 +10,7 @@ from pathlib import Path
 
 TREE = Path(__file__).resolve().parent.parent
 
-
+# Files of the program that are in no room.
 BESIDE_ROOMS = ("program/main.cc", "program/version.h")
 
 # The entrance headers, by the folder of public headers that opens everything they include.
@@ -24,6 +24,11 @@ class Table:
 
     def rooms(self, wing):
         return list(self.wings[wing]["rooms"])
+
+    @staticmethod
+    def folder(wing, room=""):
+        """The folder of a wing, or of one of its rooms, relative to the tree."""
+        return Path("program" if wing == "program" else f"src/{wing}") / room
 
     def place_of(self, path):
         """(wing, room) of a file of include/somato, src or program, by its path relative to the tree. The room of a
@@ -68,7 +73,7 @@ def markdown(table):
     lines = ["| wing | holds | may use | rooms, in their order |", "|---|---|---|---|"]
     for name, wing in table.wings.items():
         uses = "all" if len(wing["uses"]) == len(table.wings) - 1 else ", ".join(wing["uses"]) or "–"
-        page = f"{'' if name == 'program' else 'src/'}{name}/README.md"
+        page = f"{table.folder(name).as_posix()}/README.md"
         lines.append(f"| [`{name}`]({page}) | {wing['holds']} | {uses} | {', '.join(wing['rooms'])} |")
     lines += ["", "| room | holds |", "|---|---|"]
     for name, wing in table.wings.items():
