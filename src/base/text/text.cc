@@ -5,37 +5,13 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "base/text/utf8.h"
+
 namespace somato {
 namespace {
 
 std::uint32_t byte_at(std::string_view text, std::size_t i) {
   return static_cast<unsigned char>(text[i]);
-}
-
-// The length that a character's first byte announces, 0 if it cannot be a first byte.
-std::size_t announced_length(std::uint32_t first) {
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first < 0xE0) return 2;
-  if (first >= 0xE0 && first < 0xF0) return 3;
-  if (first >= 0xF0 && first < 0xF5) return 4;
-  return 0;
-}
-
-// The length of the character at `i`, 0 if there is none.
-std::size_t character_length(std::string_view text, std::size_t i) {
-  const std::uint32_t first = byte_at(text, i);
-  const std::size_t length = announced_length(first);
-  if (length <= 1) return length;
-  if (length > text.size() - i) return 0;
-  std::uint32_t code = first & (0x7Fu >> length);
-  for (std::size_t k = 1; k < length; ++k) {
-    const std::uint32_t next = byte_at(text, i + k);
-    if ((next & 0xC0) != 0x80) return 0;
-    code = (code << 6) | (next & 0x3F);
-  }
-  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool surrogate = code >= 0xD800 && code < 0xE000;
-  return overlong || surrogate || code > 0x10FFFF ? 0 : length;
 }
 
 bool is_control(char c) {
@@ -47,7 +23,7 @@ bool is_control(char c) {
 
 std::size_t first_invalid_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_length(text, i);
+    const std::size_t length = first_character(text.substr(i)).bytes;
     if (length == 0) return i;
     i += length;
   }
