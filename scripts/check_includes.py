@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reports includes that violate the table of rooms (src/rooms.json) or expose third-party headers.
+"""Reports includes that violate the table of rooms (src/rooms.json), expose third-party headers or use private ones.
 
 usage: check_includes.py [TREE]
 """
@@ -21,6 +21,9 @@ LOCKS = {"mutex", "shared_mutex", "condition_variable", "semaphore", "future", "
          "barrier", "pthread.h", "semaphore.h"}
 WITHOUT_LOCKS = {"lines", "protocols", "buses", "device_files", "devices"}
 MAY_LOCK = {"src/hardware/lines/sound_source.cc"}
+
+# Folders of headers that other projects keep to themselves: the next version may not have them.
+PRIVATE = {"impl", "detail", "details", "internal", "priv", "private"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
@@ -53,6 +56,12 @@ def breaks_public_rule(public_name, bracket, header):
     if is_standard or is_ours or header in GUESTS.get(public_name, []):
         return None
     return f"a public header may not bring in {header}"
+
+
+def is_private(bracket, header):
+    if bracket != "<" or PRIVATE.isdisjoint(header.split("/")[:-1]):
+        return None
+    return f"{header} is a private header of another project"
 
 
 def may_lock(place, where, header):
@@ -93,7 +102,7 @@ def check(tree):
             continue
         for line, bracket, header in includes(path):
             found = [has_no_place(table, bracket, header), breaks_table(table, place, header),
-                     may_lock(place, where, header)]
+                     may_lock(place, where, header), is_private(bracket, header)]
             if public in path.parents:
                 name = path.relative_to(public).as_posix()
                 found.append(breaks_public_rule(name, bracket, header))

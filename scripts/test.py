@@ -73,7 +73,7 @@ STAGES = [
     Stage("set-up", command("scripts/setup.sh", "build", "test"),
           "packages missing on a fresh machine"),
     Stage("checks", command("scripts/lint.sh"),
-          "wrong format, crowded rooms, forbidden includes between rooms, missing mirrored tests, forbidden wording, "
+          "wrong format, crowded rooms, forbidden includes between rooms and of private headers, missing mirrored tests, forbidden wording, "
           "types of the pages that differ from their schema, errors in shell scripts"),
     Stage("dev: build", command("./dev", "build", "dev"),
           "clang warnings, all treated as errors", 748, "dev"),

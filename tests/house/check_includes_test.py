@@ -52,6 +52,12 @@ class IncludeTable(TreeTest):
         self.write("src/base/files/bytes.cc", '#include "maps/som/map_rows.h"\n#  include <somato/maps/grid.h>\n')
         self.assertEqual(len(self.problems()), 2)
 
+    def test_refuses_private_headers_of_others(self):
+        self.write("src/base/files/toml_file.cc",
+                   "#include <toml++/toml.h>\n#include <toml++/impl/unicode.h>\n#include <internal.h>\n")
+        self.assertEqual(self.problems(), [
+            "src/base/files/toml_file.cc:2: toml++/impl/unicode.h is a private header of another project"])
+
     def test_keeps_others_out_of_public_headers(self):
         self.write("include/somato/core/value.h", "#include <fmt/format.h>\n")
         self.write("include/somato/core/matrix.h", "#include <tl/expected.hpp>\n")

@@ -138,6 +138,15 @@ TEST(TomlFile, ReadsEveryLetterInQuotationMarks) {
   }
 }
 
+// toml++ asserts that a table's name begins with a letter or a quotation mark.
+TEST(TomlFile, RefusesTablesWithoutAName) {
+  for (const char* text : {"[=]", "[.]", "[!]", "[\xC3\xA4]", "[,"}) {
+    expect_toml_refused(text, "f:1:2", "expected bare key starting character");
+  }
+  expect_toml_refused("[ =]", "f:1:3", "expected bare key starting character");
+  expect_toml_refused("[[=]]", "f:1:3", "expected bare key starting character");
+}
+
 TEST(TomlFile, RefusesCharactersThatUnicodeDoesNotAssign) {
   expect_toml_refused("a = 1\nb\xC3\xA4 = '\xF3\x80\x80\x80'\n", "f:2:7", "U+C0000");
   expect_toml_refused("a = \"\\U000C00E4\"\n", "f:1:6", "U+C0000");
