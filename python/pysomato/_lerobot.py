@@ -107,16 +107,24 @@ class _Dataset:
         return episodes
 
     def _rows_of(self, episode, features):
-        """The file of an episode, and its rows."""
+        """The file of an episode, and its rows.
+
+        Raises:
+            DataError: Also of an episode without frames, for which there may be no file.
+        """
         chunk, file = episode["data/chunk_index"], episode["data/file_index"]
         path = self.folder / "data" / f"chunk-{chunk:03d}" / f"file-{file:03d}.parquet"
+        where = f"{path}, episode {episode['episode_index']}"
+        if episode["length"] == 0:
+            raise DataError("the episode is empty: its length in meta/episodes is 0", where,
+                            "delete it with lerobot-edit-dataset --operation.type delete_episodes "
+                            f"--operation.episode_indices '[{episode['episode_index']}]'")
         if self.latest is None or self.latest[0] != path:
             columns = ["episode_index", "frame_index", "timestamp", *features]
             self.latest = (path, self._read_table(path, columns))
         table = self.latest[1]
         rows = table.filter(table["episode_index"].to_numpy() == episode["episode_index"])
-        where = f"{path}, episode {episode['episode_index']}"
-        if rows.num_rows == 0 or rows.num_rows != episode["length"]:
+        if rows.num_rows != episode["length"]:
             raise DataError(f"there are {rows.num_rows} frames, but {episode['length']} are listed",
                             where, "obtain the data set again")
         if not np.array_equal(rows["frame_index"].to_numpy(), np.arange(rows.num_rows)):

@@ -66,7 +66,7 @@ def write_lerobot(folder, info=(), rows=rows_of, length=None):
         parquet.write_table(pa.concat_tables(tables),
                             folder / f"data/chunk-000/file-{number:03d}.parquet")
     episodes = {"episode_index": [2, 0, 1], "tasks": [["lift"], ["lift"], ["push", "turn"]],
-                "length": [length or 3, 4, 1], "data/chunk_index": [0, 0, 0],
+                "length": [3 if length is None else length, 4, 1], "data/chunk_index": [0, 0, 0],
                 "data/file_index": [1, 0, 0], "dataset_from_index": [5, 0, 4],
                 "dataset_to_index": [8, 4, 5]}
     parquet.write_table(pa.table(episodes), folder / "meta/episodes/chunk-000/file-000.parquet")
@@ -161,6 +161,20 @@ def test_wrong_files_are_refused(tmp_path):
         read_quietly(folder)
     (folder / "meta/info.json").write_text("{")
     with pytest.raises(pysomato.DataError, match="info.json: not JSON"):
+        read_quietly(folder)
+
+
+def test_an_empty_episode_is_named(tmp_path):
+    def rows(episode):
+        return {name: values[:0] for name, values in rows_of(episode).items()} if episode == 2 else (
+            rows_of(episode))
+
+    folder = write_lerobot(tmp_path / "set", rows=rows, length=0)
+    with pytest.raises(pysomato.DataError,
+                       match=r"file-001.parquet, episode 2: the episode is empty.*delete_episodes"):
+        read_quietly(folder)
+    (folder / "data/chunk-000/file-001.parquet").unlink()
+    with pytest.raises(pysomato.DataError, match="episode 2: the episode is empty"):
         read_quietly(folder)
 
 
