@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the missing packages of scripts/packages.txt and, for building, the physics engine:
-# setup.sh [PURPOSE...], by default all purposes except substitutes.
+# setup.sh [PURPOSE...], by default all purposes except old-physics, a substitute.
 # Does nothing if everything is installed.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -9,8 +9,15 @@ purposes() {
   sed -n 's/^\[\(.*\)\]$/\1/p' packages.txt
 }
 
+# The number of the release of Debian, such as 12.
+release() {
+  sed -n 's/^VERSION_ID="\(.*\)"$/\1/p' /etc/os-release 2>/dev/null
+}
+
 packages_for() {
-  awk -v purpose="[$1]" '/^\[/ { inside = ($0 == purpose); next } inside && /^[^#]/' packages.txt
+  awk -v purpose="[$1]" -v release="$(release)" -F @ '
+    /^\[/ { inside = ($0 == purpose); next }
+    inside && /^[^#]/ && (NF == 1 || $2 == release) { print $1 }' packages.txt
 }
 
 # is_there PACKAGE[:COMMAND]
