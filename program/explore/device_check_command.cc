@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "explore/device.h"
+#include "explore/device_scan.h"
 #include "flags/commands.h"
 #include "hardware/devices/device_io.h"
+#include "hardware/devices/sensor_reader.h"
+#include "somato/recording/element_ranges.h"
+#include "terminal/still_elements.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
 
@@ -17,9 +21,11 @@ namespace {
 
 using devices::DeviceFile;
 using devices::DeviceIo;
+using devices::SensorOrigin;
 using devices::ServoReport;
 
-constexpr double kListening = 2.0;  // s
+constexpr double kListening = 2.0;    // s
+constexpr double kLateSamples = 0.6;  // s; blocks of ALSA take up to 0.5 s
 
 // The traffic of the lines while they are polled for a time.
 struct Traffic {
@@ -28,7 +34,9 @@ struct Traffic {
   std::uint64_t frames = 0;
   std::uint64_t lost = 0;
   std::uint64_t rejected = 0;
-  std::size_t samples = 0;
+  double sample_rate = 0.0;
+  double silence = 0.0;                // s since the last samples.
+  std::vector<ElementRanges> sensors;  // In the order of the device file.
 };
 
 double newest(const DeviceIo& io) {
@@ -46,12 +54,52 @@ Traffic counted_so_far(const DeviceIo& io) {
   return traffic;
 }
 
+// Takes each frame of the sensor line once; servos are taken once a period.
+class SensorWatch {
+ public:
+  SensorWatch(const DeviceFile& file, std::vector<ElementRanges>& ranges)
+      : file_(file), reader_(file), resting_(file.servos.size(), NAN), ranges_(ranges) {
+    ranges_.resize(file.sensors.size());
+    reader_.prepare(readings_);
+  }
+
+  void take_frame(const DeviceIo& io) {
+    if (io.stream() == nullptr || io.stream()->frames() == frames_) return;
+    frames_ = io.stream()->frames();
+    add(io, [](SensorOrigin from) { return from == SensorOrigin::kFrames; });
+  }
+
+  void take_servos(const DeviceIo& io) {
+    add(io, [](SensorOrigin from) {
+      return from == SensorOrigin::kServos || from == SensorOrigin::kCurrents;
+    });
+  }
+
+ private:
+  template <typename Selected>
+  void add(const DeviceIo& io, const Selected& selected) {
+    reader_.read(io, resting_, readings_);
+    for (std::size_t i = 0; i < ranges_.size(); ++i) {
+      if (selected(file_.sensors[i].from)) ranges_[i].add(readings_[i].values(), {});
+    }
+  }
+
+  const DeviceFile& file_;
+  devices::SensorReader reader_;
+  std::vector<double> resting_;
+  std::vector<Matrix<float>> readings_;
+  std::vector<ElementRanges>& ranges_;
+  std::size_t frames_ = 0;
+};
+
 // Polls the servos without moving them.
 Result<Traffic> listen(const DeviceFile& file, DeviceIo& io) {
   const std::vector<double> nowhere(file.servos.size(), NAN);
   Traffic traffic;
+  SensorWatch watch(file, traffic.sensors);
+  SOMATO_TRY_VOID(io.wait_for_samples());
   SOMATO_TRY_VOID(io.receive());  // Older input is discarded.
-  if (io.samples() != nullptr) io.samples()->keep(0);
+  if (io.sound() != nullptr) io.sound()->begin();
   const Traffic before = counted_so_far(io);
   const double start = io.now();
   double sent_before = start;
@@ -63,19 +111,21 @@ Result<Traffic> listen(const DeviceFile& file, DeviceIo& io) {
     while (io.now() < until) {
       io.wait(until);
       SOMATO_TRY_VOID(io.receive());
+      watch.take_frame(io);
     }
+    watch.take_servos(io);
     // A bus may take an answer with its next request only.
     if (newest(io) > last) {
       last = newest(io);
       traffic.latencies.push_back(last - (last >= sent ? sent : sent_before));
     }
     sent_before = sent;
-    if (io.samples() != nullptr) {
-      traffic.samples += io.samples()->size();
-      io.samples()->keep(0);
-    }
   }
   traffic.seconds = io.now() - start;
+  if (io.sound() != nullptr) {
+    traffic.sample_rate = io.sound()->rate();
+    traffic.silence = io.sound()->age(io.now());
+  }
   const Traffic after = counted_so_far(io);
   traffic.frames = after.frames - before.frames;
   traffic.lost = after.lost - before.lost;
@@ -127,30 +177,46 @@ std::string frames_text(const DeviceFile& file, const Traffic& traffic) {
                     traffic.lost, traffic.rejected);
   }
   if (file.microphone) {
-    text += fmt::format(
-        "microphone: {}, {:.0f} samples per second ({:g} expected)\n", file.microphone->source,
-        static_cast<double>(traffic.samples) / traffic.seconds, file.microphone->rate);
+    text += fmt::format("microphone: {}, {:.0f} samples per second ({:g} expected)\n",
+                        file.microphone->source, traffic.sample_rate, file.microphone->rate);
+  }
+  return text;
+}
+
+// A hand at rest, and a sensor with coarse steps that is not touched, may well not change.
+std::string sensors_text(const DeviceFile& file, const Traffic& traffic) {
+  std::string text;
+  for (std::size_t i = 0; i < file.sensors.size(); ++i) {
+    const devices::SensorSettings& sensor = file.sensors[i];
+    text += text_of(still_elements(traffic.sensors[i].elements()), sensor.elements,
+                    fmt::format("sensor \"{}\": ", sensor.name));
   }
   return text;
 }
 
 // Returns the error for which an exploration would stop.
-Result<void> judge(const DeviceFile& file, const DeviceIo& io, const Traffic& traffic) {
+Result<void> judge(const DeviceFile& file, DeviceIo& io, const Traffic& traffic) {
   SOMATO_TRY_VOID(io.check_errors());
   if (file.frame_line && traffic.frames == 0) {
-    return fail(ErrorKind::kSystem, "no valid sensor frame arrived", file.frame_line->port,
+    return fail(ErrorKind::kSystem, io.with_complaint("no valid sensor frame arrived"),
+                file.frame_line->port,
                 "check the cable, and 'format', 'elements' and 'baud' of [frames]");
   }
-  if (file.microphone && traffic.samples == 0) {
-    return fail(ErrorKind::kSystem, "no samples arrived", file.microphone->source,
-                "check the sound device");
+  if (file.microphone && (traffic.sample_rate == 0.0 || traffic.silence > kLateSamples)) {
+    return fail(ErrorKind::kSystem, fmt::format("no samples arrived for {:.1f} s", traffic.silence),
+                file.microphone->source, "check the sound device");
   }
+  if (file.microphone) SOMATO_TRY_VOID(io.sound()->check_rate());
   return io.check_fresh(io.now());
 }
 
 Result<void> run_check(const Arguments& arguments) {
   SOMATO_TRY(const auto file, read_checked_device(arguments.text("FILE")));
   catch_stop_requests();
+  if (arguments.has("scan") && arguments.has("reboot")) {
+    return fail(ErrorKind::kUsage, "has no effect with --scan", "--reboot", "omit one of them");
+  }
+  if (arguments.has("scan")) return scan_device(file);
   SOMATO_TRY(const auto lines, open_lines(file));
   DeviceIo io(file, *lines);
   const ServoGuard guard(*lines, io.relax_bytes());
@@ -159,8 +225,8 @@ Result<void> run_check(const Arguments& arguments) {
   auto traffic = listen(file, io);
   io.relax();
   if (!traffic) return fail(std::move(traffic.error()));
-  fmt::print("device: {}\n{}{}", file.settings.name, servos_text(file, io, *traffic),
-             frames_text(file, *traffic));
+  fmt::print("device: {}\n{}{}{}", file.settings.name, servos_text(file, io, *traffic),
+             frames_text(file, *traffic), sensors_text(file, *traffic));
   SOMATO_TRY_VOID(judge(file, io, *traffic));
   fmt::print("The device can explore.\n");
   return {};
@@ -172,7 +238,11 @@ Command device_check_command() {
   return {"device check",
           "Check a device without moving it: ports, servos, sensors, latency",
           {{"FILE", "The device file", true}},
-          {{"--reboot", "Restart all servos first, which ends an overload", false, false}},
+          {{"--reboot", "Restart all servos first, which ends an overload", false, false},
+           {"--scan",
+            "Only list the servos that answer at the servo line, with their ids, models and baud "
+            "rate",
+            false, false}},
           {},
           run_check};
 }

@@ -51,6 +51,15 @@ void show(const std::string& picture) {
   std::fflush(stdout);
 }
 
+// The last line of a board that prints text, valid or not, and why a frame was rejected.
+std::string line_text(const DeviceIo& io) {
+  if (io.stream() == nullptr) return {};
+  const std::string line = io.stream()->last_line();
+  std::string text = line.empty() ? std::string() : fmt::format("line {}\n", line);
+  if (io.stream()->rejected() == 0) return text;
+  return text + fmt::format("rejected {}: {}\n", io.stream()->rejected(), io.stream()->complaint());
+}
+
 Result<void> watch(const DeviceFile& file, DeviceIo& io, double seconds) {
   const devices::SensorReader reader(file);
   std::vector<Matrix<float>> readings;
@@ -67,14 +76,22 @@ Result<void> watch(const DeviceFile& file, DeviceIo& io, double seconds) {
       SOMATO_TRY_VOID(io.receive());
     }
     if (io.samples() != nullptr) io.samples()->keep(0);
-    SOMATO_TRY_VOID(io.check_fresh(io.now()));
     const bool has_frame = io.stream() == nullptr || io.stream()->frames() > 0;
-    if (!has_frame || io.now() < shown + kInterval) continue;
+    // Without a valid frame, a person looks for the reason in what arrives.
+    if (has_frame) SOMATO_TRY_VOID(io.check_fresh(io.now()));
+    if (io.now() < shown + kInterval) continue;
     shown = io.now();
     reader.read(io, positions, readings);
-    show(picture_of(file, io, readings));
+    show(line_text(io) + (has_frame ? picture_of(file, io, readings) : std::string()));
   }
   return {};
+}
+
+Result<void> check_frames(const DeviceFile& file, const DeviceIo& io) {
+  if (io.stream() == nullptr || io.stream()->frames() > 0 || stop_requested()) return {};
+  return fail(ErrorKind::kSystem, io.with_complaint("no valid sensor frame arrived"),
+              file.frame_line->port,
+              "check the cable, and 'format', 'elements' and 'baud' of [frames]");
 }
 
 Result<void> run_monitor(const Arguments& arguments) {
@@ -85,7 +102,9 @@ Result<void> run_monitor(const Arguments& arguments) {
   DeviceIo io(file, *lines);
   const ServoGuard guard(*lines, io.relax_bytes());
   SOMATO_TRY_VOID(io.start());
-  auto watched = watch(file, io, seconds ? static_cast<double>(*seconds) : INFINITY);
+  auto watched = watch(file, io, seconds ? static_cast<double>(*seconds) : INFINITY).and_then([&] {
+    return check_frames(file, io);
+  });
   io.relax();
   return watched;
 }

@@ -21,6 +21,7 @@
 #include "som/data.h"
 #include "somato/bodies/exploring.h"
 #include "somato/simulation/simulated_explorer.h"
+#include "terminal/still_elements.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
 
@@ -245,10 +246,44 @@ Result<ExploringOutcome> explore_things(GrowingRecording& file, const Request& r
   return explore_in_turn(*request.real, {request.each}, explore, sink, progress);
 }
 
+// The ranges of all channels, in the order of the first exploration.
+class RangesOfChannels {
+ public:
+  void add(const Exploration& exploration) {
+    channels_.resize(exploration.channels.size());
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      const Channel& channel = exploration.channels[i];
+      channels_[i].name = channel.name;
+      channels_[i].element_names = channel.element_names;
+      channels_[i].ranges.add(channel);
+    }
+  }
+
+  // Sensors that never changed or lack readings.
+  std::string text() const {
+    std::string text;
+    for (const Ranges& channel : channels_) {
+      text += text_of(still_elements(channel.ranges.elements()), channel.element_names,
+                      fmt::format("channel \"{}\": ", channel.name));
+    }
+    return text;
+  }
+
+ private:
+  struct Ranges {
+    std::string name;
+    std::vector<std::string> element_names;
+    ElementRanges ranges;
+  };
+  std::vector<Ranges> channels_;
+};
+
 Result<void> explore_into(GrowingRecording& file, const Request& request) {
   FrameSpread spread;
+  RangesOfChannels ranges;
   const auto sink = [&](Exploration&& exploration) {
     const std::size_t frames = exploration.channels.front().frames.rows();
+    ranges.add(exploration);
     return file.add(std::move(exploration)).map([&] { spread.add(frames); });
   };
   auto outcome = explore_things(file, request, sink);
@@ -260,8 +295,9 @@ Result<void> explore_into(GrowingRecording& file, const Request& request) {
   }
   if (recorded == 0) return fail(std::move(outcome.error()));
   SOMATO_TRY_VOID(file.finish());
-  print_summary(fmt::format("{}: {} of {}, {}\n", request.output, counted(recorded, "exploration"),
-                            counted(request.things().size(), "thing"), spread.text()));
+  print_summary(
+      fmt::format("{}: {} of {}, {}\n{}", request.output, counted(recorded, "exploration"),
+                  counted(request.things().size(), "thing"), spread.text(), ranges.text()));
   if (outcome) return judge(request, *outcome);
   outcome.error().advice = saved_text(file);
   return fail(std::move(outcome.error()));

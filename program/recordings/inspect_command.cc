@@ -13,6 +13,7 @@
 #include "somato/core/value.h"
 #include "somato/recording/inspect_recording.h"
 #include "somato/recording/recording_file.h"
+#include "terminal/still_elements.h"
 #include "terminal/wording.h"
 
 namespace somato::program {
@@ -45,9 +46,12 @@ Table table_of(const LabelSummary& label) {
            entry("others", label.others)}};
 }
 
-std::string times_of(const ChannelDescription& description) {
-  if (description.rate > 0.0) return fmt::format("{:.6g} Hz", description.rate);
-  return description.times_known ? "with times" : "without times";
+std::string times_of(const ChannelSummary& channel) {
+  if (channel.least_rate < channel.most_rate) {
+    return fmt::format("{:.6g} to {:.6g} Hz", channel.least_rate, channel.most_rate);
+  }
+  if (channel.most_rate > 0.0) return fmt::format("{:.6g} Hz", channel.most_rate);
+  return channel.description.times_known ? "with times" : "without times";
 }
 
 std::string range_of(std::uint64_t least, std::uint64_t most) {
@@ -61,12 +65,13 @@ std::string text_of(const ChannelSummary& channel, std::uint64_t explorations) {
                                 : fmt::format("{}", fmt::join(description.shape, " x "));
   return fmt::format("channel {}: {}{}, {}, {} an exploration{}\n", quoted(description.name), shape,
                      description.unit.empty() ? "" : " " + quoted(description.unit),
-                     times_of(description),
+                     times_of(channel),
                      range_of(channel.least_frames, channel.most_frames) +
                          (channel.most_frames == 1 ? " frame" : " frames"),
                      channel.explorations == explorations
                          ? ""
-                         : ", in " + counted(channel.explorations, "exploration"));
+                         : ", in " + counted(channel.explorations, "exploration")) +
+         text_of(still_elements(channel.ranges), description.element_names, "  ");
 }
 
 Table table_of(const ChannelSummary& channel) {
@@ -79,6 +84,16 @@ Table table_of(const ChannelSummary& channel) {
        entry("times_known", description.times_known), entry("explorations", channel.explorations),
        entry("least_frames", channel.least_frames), entry("most_frames", channel.most_frames)}};
   if (description.rate > 0.0) table.entries.push_back(entry("rate", description.rate));
+  if (channel.least_rate < channel.most_rate) {
+    table.entries.push_back(entry("least_rate", channel.least_rate));
+    table.entries.push_back(entry("most_rate", channel.most_rate));
+  }
+  const StillElements still = still_elements(channel.ranges);
+  table.entries.push_back(
+      entry("always_zero", element_names_of(still.zero, description.element_names)));
+  table.entries.push_back(
+      entry("unchanged", element_names_of(still.unchanged, description.element_names)));
+  table.entries.push_back(entry("missing_values", still.missing_values));
   return table;
 }
 

@@ -95,18 +95,19 @@ class OneHot(_Code):
 class Spectrum(_Code):
     """The magnitude spectrum of each row, whose columns are frames in order of time.
 
-    Its parameters, except ``rate``, are those of the module ``spectrum`` (docs/reference/modules.md);
-    ``None`` is ``automatic``.
+    Its parameters are those of the module ``spectrum`` (docs/reference/modules.md); ``None`` is
+    ``automatic``.
 
     Args:
-        rate: Frames per second; 0 if unknown, which only ``bands=0`` permits.
+        rate: Frames per second of the rows; None: unknown, which only ``bands=0`` permits.
 
     Raises:
         UsageError: Parameters contradict each other or are out of range.
-        DataError: There are fewer columns than a segment, or bands are above half the rate.
+        DataError: There are fewer columns than a segment, bands are above half the rate, or frames
+            have another rate than the estimator whose frequencies depend on it.
     """
 
-    def __init__(self, rate=0.0, *, window="hann", segment_length=None, overlap=0.5,
+    def __init__(self, rate=None, *, window="hann", segment_length=None, overlap=0.5,
                  transform_length=None, remove_mean=True, quantity="magnitude", bands=32,
                  band_spacing="linear", low=0.0, high=None, scale="linear", floor=1e-6):
         self.rate = rate
@@ -128,22 +129,24 @@ class Spectrum(_Code):
 
         Args:
             frames: Numbers of (frames, elements), such as ``recording["sound"][0]``.
-            rate: Frames per second; None: that of the estimator.
+            rate: Frames per second; None: that of the estimator. Bands of several rates are the
+                same frequencies only with ``high``, or with a ``rate`` of the estimator, the lowest
+                of them.
 
         Returns:
             float32 of (elements, bands), or with ``bands=0`` of (elements, bins).
         """
         frames = np.ascontiguousarray(frames, np.float32)
         frames = frames.reshape(len(frames), -1)
-        return _somato.spectrum_of(self._parameters(), frames, float(self.rate if rate is None else rate))
+        return _somato.spectrum_of(self._parameters(), frames, float(rate or self.rate or 0.0))
 
     def _code(self, X):
-        return _somato.spectra(self._parameters(), X, float(self.rate))
+        return _somato.spectra(self._parameters(), X, float(self.rate or 0.0))
 
     def _parameters(self):
         values = self.get_params(deep=False)
-        del values["rate"]
-        return values
+        depends_on_rate = self.bands == 0 or self.high is None
+        return {**values, "rate": (self.rate or None) if depends_on_rate else None}
 
 
 class TensorProduct(_Code):

@@ -37,7 +37,7 @@ struct BodyState {
       positions;  ///< The position to which each servo has been driven so far, according to the
                   ///< driver: on the way to its target, in the unit of the servo.
   /// For each sensor the frames recorded during the last step: frames x elements. A sensor without
-  /// a rate has one, recorded at the end of the step.
+  /// a rate has one, recorded at the end of the step. A reading that is missing is NaN.
   std::vector<Matrix<float>> readings;
 };
 

@@ -77,6 +77,7 @@ struct SpectrumParameters {
   BandSpacing band_spacing = BandSpacing::kLinear;
   double low = 0.0;
   std::optional<double> high;
+  std::optional<double> rate;
   SpectrumScale scale = SpectrumScale::kLinear;
   double floor = 1e-6;
 
@@ -84,9 +85,18 @@ struct SpectrumParameters {
 
   /// Whether the parameters are consistent. Errors (kUsage): a parameter out of its range; a
   /// transform shorter than its segment; 'low' not below 'high', or 0 with geometric bands; no
-  /// bands with an unknown number of bins, or together with 'low' or 'high'.
+  /// bands with an unknown number of bins, or together with 'low' or 'high'; a 'rate' without
+  /// effect.
   Result<void> validate() const;
+
+  /// Whether the frequencies depend on the frame rate: every bin, or bands up to half of it.
+  bool depend_on_rate() const { return bands == 0 || !high; }
 };
+
+/// The relative difference of two frame rates from which spectra that depend on them are not
+/// compared: the nearest rates of sound in use, 44.1 and 48 kHz, differ by 9 %, and a rate that is
+/// estimated from times in milliseconds by less than 5 % below 50 Hz.
+inline constexpr double kSpectrumRateTolerance = 0.05;
 
 /// The magnitude spectrum of each element of an exploration: the strength of each frequency,
 /// independent of time (P11 section IV-B for the sound of a texture).
@@ -104,6 +114,9 @@ struct SpectrumParameters {
 /// magnitude: an axis in cycles per millimetre, on which a texture has the same position and
 /// strength for every speed. Computed in double precision and rounded to single at the end.
 ///
+/// Without `high` bands end at half of `rate`, or of the frames' own rate if that is not set.
+/// Spectra of frames at other rates are then only comparable with a common `rate`.
+///
 /// Immutable; can be used by any number of threads.
 class Spectrum {
  public:
@@ -119,7 +132,8 @@ class Spectrum {
   ///
   /// Errors (kData): fewer frames than a segment, none, or more than the transform takes; a value
   /// that is not finite, with frame and element counted from 1; bands and an unknown rate; bands
-  /// above half the rate; a speed of 0. Errors (kUsage): a speed without bands, or without 'high'.
+  /// above half the rate; with 'rate', another rate for bins, or a lower one for bands, beyond the
+  /// tolerance; a speed of 0. Errors (kUsage): a speed without bands, or without 'high'.
   Result<Signal> apply(const Matrix<float>& frames, double rate,
                        std::optional<double> speed = std::nullopt) const;
 

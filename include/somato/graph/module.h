@@ -64,6 +64,7 @@ struct Sequence {
 struct Connection {
   std::string port;  ///< The name of the port.
   PortType type;
+  FrameRates rates = {};  ///< Those of the channel from which its frames come.
 };
 
 /// The state of a module during one exploration.

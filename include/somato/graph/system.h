@@ -25,6 +25,7 @@ struct SystemModule {
   std::vector<std::size_t> inputs;  ///< Numbers of modules, in the order of the ports.
   std::vector<std::string> ports;   ///< The ports of these connections.
   PortType output;
+  FrameRates rates;  ///< Those of the channel from which its frames come.
 };
 
 /// A validated phase of learning.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "somato/core/result.h"
+#include "somato/recording/element_ranges.h"
 #include "somato/recording/recording.h"
 
 namespace somato {
@@ -30,6 +31,9 @@ struct ChannelSummary {
   std::uint64_t explorations = 0;  ///< Number of explorations with this channel.
   std::uint64_t least_frames = 0;  ///< In these explorations.
   std::uint64_t most_frames = 0;
+  double least_rate = 0.0;  ///< Frames per second in these explorations; 0 if one has no rate.
+  double most_rate = 0.0;
+  std::vector<ElementRange> ranges;  ///< One for each element.
 };
 
 /// Summary of a recording file.

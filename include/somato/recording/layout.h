@@ -21,13 +21,21 @@ struct ChannelLayout {
   bool operator==(const ChannelLayout&) const = default;
 };
 
+/// The frames per second of a channel in the explorations of a recording, 0 if unknown.
+struct FrameRates {
+  double first = 0.0;  ///< In the first exploration.
+  double least = 0.0;  ///< In those where it is known.
+  double most = 0.0;
+
+  bool operator==(const FrameRates&) const = default;
+};
+
 /// Properties shared by all explorations of a recording.
 struct RecordingLayout {
   std::vector<ChannelLayout> channels;
   std::size_t explorations = 0;
   std::size_t frames = 0;  ///< Total number in all explorations, of the channel with most frames.
-  /// Frames per second of each channel in the first exploration, 0 if unknown; or empty.
-  std::vector<double> rates = {};
+  std::vector<FrameRates> rates = {};  ///< One for each channel; or empty.
 };
 
 /// The layout of a recording, which must be valid.

@@ -81,6 +81,27 @@ float sample_at(const char* bytes, const Format& format) {
   return static_cast<float>(static_cast<double>(static_cast<std::int32_t>(bits)) / kHalfRange);
 }
 
+// Whether `size` bytes of samples, with `rest` after its chunk's head, are what a writer to a pipe
+// states: ffmpeg the largest number, sox and arecord about 2 GiB, with or without their headers,
+// and GStreamer 0. `riff` is the size of the file that its head states.
+bool is_unknown(std::size_t size, std::size_t rest, std::size_t riff, std::size_t file) {
+  constexpr std::size_t kHalf = std::size_t{1} << 31;
+  constexpr std::size_t kWhole = std::size_t{1} << 32;
+  constexpr std::size_t kHeaders = 4096;
+  if (size == 0) return rest > 0 && riff + kChunkHead != file && riff + kChunkHead + 1 != file;
+  const bool is_largest = size >= kWhole - kHeaders;
+  const bool is_half = size >= kHalf - kHeaders && size < kHalf + kHeaders;
+  return size > rest && (is_largest || is_half);
+}
+
+// All bytes behind the head of a chunk of unknown size. A sample of odd length may be padded.
+std::string_view samples_to_the_end(std::string_view rest, const Format& format) {
+  const std::size_t block = format.sample_bytes() * format.channels;
+  const bool is_padded = block > 1 && block % 2 == 1 && rest.size() % block == 1 &&
+                         rest.size() % 2 == 0 && rest.back() == '\0';
+  return is_padded ? rest.substr(0, rest.size() - 1) : rest;
+}
+
 Result<Sound> sound_of(const Format& format, std::string_view data, const std::string& where) {
   SOMATO_TRY_VOID(check_format(format, where));
   const std::size_t size = format.sample_bytes();
@@ -115,6 +136,10 @@ Result<Sound> decode_wav(std::string_view bytes, const std::string& where) {
     const std::string_view name = bytes.substr(place, 4);
     const std::size_t size = number_at<std::uint32_t>(bytes, place + 4);
     const std::string_view rest = bytes.substr(place + kChunkHead);
+    const std::size_t riff = number_at<std::uint32_t>(bytes, 4);
+    if (name == "data" && format && is_unknown(size, rest.size(), riff, bytes.size())) {
+      return sound_of(*format, samples_to_the_end(rest, *format), where);
+    }
     if (size > rest.size()) {
       return bad(fmt::format("the file is cut within its part '{}'", name), where);
     }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "bodies/body/driving.h"
+#include "bodies/body/frame_log.h"
 
 namespace somato {
 namespace {
@@ -67,8 +68,8 @@ Result<void> wait_for_rest(Body& body, std::size_t stick, std::size_t sensor, do
 // The last frame of a sensor.
 Exploration exploration_of(const ChannelDescription& sensor, const Matrix<float>& reading) {
   const auto last = reading.row(reading.rows() - 1);
-  Channel channel = channel_of(
-      sensor, Matrix<float>(1, last.size(), std::vector<float>(last.begin(), last.end())));
+  Channel channel = channel_of(sensor, Matrix<float>(0, last.size()));
+  append_readings(channel, Matrix<float>(1, last.size(), {last.begin(), last.end()}));
   channel.rate = 0.0;
   Exploration exploration;
   exploration.channels.push_back(std::move(channel));

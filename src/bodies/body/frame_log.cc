@@ -2,12 +2,36 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
 #include <utility>
 
 #include "bodies/body/driving.h"
 #include "somato/core/check.h"
 
 namespace somato {
+
+void append_readings(Channel& channel, const Matrix<float>& frames) {
+  const std::size_t before = channel.frames.values().size();
+  channel.frames.append(frames);
+  const std::span<float> added = channel.frames.values().subspan(before);
+  const auto is_missing = [](float value) { return std::isnan(value); };
+  const bool has_gaps = std::ranges::any_of(added, is_missing);
+  if (channel.valid.empty() && !has_gaps) return;
+  if (channel.valid.empty()) {
+    channel.valid =
+        Matrix<std::uint8_t>(channel.frames.rows() - frames.rows(), frames.columns(), 1);
+  }
+  channel.valid.append(Matrix<std::uint8_t>(frames.rows(), frames.columns(), 1));
+  const std::span<std::uint8_t> marks = channel.valid.values().subspan(before);
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    if (!is_missing(added[i])) continue;
+    added[i] = 0.0F;
+    marks[i] = 0;
+  }
+}
 
 FrameLog::FrameLog(const BodyDescription& description) {
   sensors_.reserve(description.sensors.size());
@@ -43,7 +67,7 @@ Result<void> FrameLog::append(Sensor& sensor, const Matrix<float>& frames, doubl
                             channel.name, frames.rows()),
                 channel.name, "check the body's description");
   }
-  channel.frames.append(frames);
+  append_readings(channel, frames);
   for (std::size_t i = 0; sensor.times_known && i < frames.rows(); ++i) {
     channel.times.push_back(frame_time(i, frames.rows(), sensor.rate, end));
   }

@@ -15,13 +15,17 @@ inline double frame_time(std::size_t frame, std::size_t frames, double rate, dou
   return later == 0.0 ? end : end - later / rate;
 }
 
+/// Appends frames to a channel with as many elements. A NaN is a reading that is missing: its value
+/// is then 0, and the channel marks it.
+void append_readings(Channel& channel, const Matrix<float>& frames);
+
 /// Collects the readings of a body during selected steps.
 class FrameLog {
  public:
   explicit FrameLog(const BodyDescription& description);
 
-  /// Adds the frames of the last step. Errors (kData) name a sensor whose readings do not fit its
-  /// description or the previous ones.
+  /// Adds the frames of the last step, as append_readings(). Errors (kData) name a sensor whose
+  /// readings do not fit its description or the previous ones.
   Result<void> append(const BodyState& state);
 
   /// A channel for each sensor, with the time of each frame in seconds of the body's clock: an

@@ -15,6 +15,7 @@ class SensorFrameStream : public SensorStream {
   void receive(std::span<const std::uint8_t> bytes, double now) override;
 
   std::size_t rejected() const override { return decoder_.rejected(); }
+  std::string complaint() const override { return decoder_.complaint(); }
 
   /// The number of restarts of the board.
   std::size_t restarts() const { return restarts_; }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace somato::devices {
@@ -22,7 +23,8 @@ class SensorStream {
   /// Bytes that arrived at `now`.
   virtual void receive(std::span<const std::uint8_t> bytes, double now) = 0;
 
-  /// The values of the last whole frame; NaN before the first.
+  /// The values of the last whole frame; NaN before the first, and where the format says that the
+  /// board has no reading.
   std::span<const float> values() const { return values_; }
 
   /// The arrival of the last byte of the last whole frame, in seconds of the clock of
@@ -41,6 +43,12 @@ class SensorStream {
 
   /// Pieces of the stream that were no valid frame.
   virtual std::size_t rejected() const = 0;
+
+  /// The last of these pieces and why it was none, in words; empty without one.
+  virtual std::string complaint() const = 0;
+
+  /// The last line of a format of text, valid or not; empty for other formats.
+  virtual std::string last_line() const { return {}; }
 
  protected:
   explicit SensorStream(std::size_t values)

@@ -57,6 +57,7 @@ class DeviceBody::Impl {
     SOMATO_TRY_VOID(io_.start());
     SOMATO_TRY_VOID(begin_motion());
     SOMATO_TRY_VOID(wait_for_frame());
+    SOMATO_TRY_VOID(io_.wait_for_samples());
     reader_.prepare(state_.readings);
     SOMATO_TRY_VOID(permit_jump(before_jump));
     return begin().and_then([&] { return switch_on(should_continue); }).and_then([&] {
@@ -65,7 +66,7 @@ class DeviceBody::Impl {
   }
 
   Result<void> begin() {
-    SOMATO_TRY_VOID(io_.receive());
+    SOMATO_TRY_VOID(catch_up());
     start_ = io_.now();
     io_.begin(start_);
     next_tick_ = start_;
@@ -106,6 +107,18 @@ class DeviceBody::Impl {
     return {};
   }
 
+  // The last samples may only be late.
+  Result<void> end() {
+    if (io_.sound() == nullptr || !is_on_) return {};
+    const double until = io_.now() + kLateSamples * std::max(1.0, file_.settings.clock);
+    while (io_.sound()->is_off() && io_.now() < until) {
+      io_.wait(until);
+      if (auto received = io_.receive(); !received) return stop(std::move(received.error()));
+    }
+    auto checked = io_.sound()->check_all();
+    return checked ? checked : stop(std::move(checked.error()));
+  }
+
   void expect_pause() { may_have_paused_ = true; }
 
   void relax() noexcept {
@@ -113,6 +126,21 @@ class DeviceBody::Impl {
   }
 
  private:
+  // Discards what has arrived since the last reading. A recorder whose samples were not taken for
+  // long has lost some, and would say so later: it starts anew.
+  Result<void> catch_up() {
+    auto received = io_.receive();
+    if (io_.sound() == nullptr) return received;
+    const bool is_recorder = file_.microphone->source.starts_with("alsa:");
+    if (is_recorder && (!received || io_.sound()->missing(io_.now()) > kLateSamples)) {
+      SOMATO_TRY_VOID(io_.reopen_microphone());
+      SOMATO_TRY_VOID(io_.wait_for_samples());
+      received = io_.receive();
+    }
+    io_.sound()->begin();
+    return received;
+  }
+
   Result<void> begin_motion() {
     std::vector<double> positions(file_.servos.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -149,7 +177,8 @@ class DeviceBody::Impl {
     moved_ = now - passed;
     next_tick_ = now;
     io_.begin(now);
-    if (io_.receive() && io_.samples() != nullptr) io_.samples()->keep_oldest(samples_due(time()));
+    // A line that has hung up is noticed in the next step.
+    if (catch_up() && io_.samples() != nullptr) io_.samples()->keep_oldest(samples_due(time()));
   }
 
   // Lets the servos go on towards their targets until `now`.
@@ -177,7 +206,8 @@ class DeviceBody::Impl {
     while (io_.stream() != nullptr && io_.stream()->frames() == 0) {
       if (io_.now() >= until) {
         return fail(ErrorKind::kSystem,
-                    fmt::format("no valid sensor frame arrived within {:g} s", kFirstFrame),
+                    io_.with_complaint(
+                        fmt::format("no valid sensor frame arrived within {:g} s", kFirstFrame)),
                     file_.frame_line->port,
                     "check the cable, and 'format', 'elements' and 'baud' of [frames]");
       }
@@ -241,16 +271,19 @@ class DeviceBody::Impl {
   Result<void> check(double now) {
     SOMATO_TRY_VOID(io_.check_fresh(now));
     SOMATO_TRY_VOID(io_.check_errors());
+    if (io_.sound() != nullptr) SOMATO_TRY_VOID(io_.sound()->check());
     if (io_.measures_positions()) {
       SOMATO_TRY_VOID(watch_.check(motion_.positions(), io_.reports()));
     }
     if (!file_.safety.limit) return {};
     const double most = reader_.greatest(file_.safety.sensor, io_, motion_.positions());
     if (most <= *file_.safety.limit) return {};
-    return fail(
-        ErrorKind::kData,
-        fmt::format("the sensor gave {:g}, above the limit of {:g}", most, *file_.safety.limit),
-        file_.safety.sensor, "reduce the speed or the threshold of the grasp, or raise 'limit'");
+    const std::string gave = std::isinf(most) ? "no reading for an element, which may be above"
+                                              : fmt::format("{:g}, above", most);
+    return fail(ErrorKind::kData,
+                fmt::format("the sensor gave {} the limit of {:g}", gave, *file_.safety.limit),
+                file_.safety.sensor,
+                "reduce the speed or the threshold of the grasp, or raise 'limit'");
   }
 
   void read() { reader_.read(io_, motion_.positions(), state_.readings); }
@@ -350,6 +383,10 @@ const StateLog& DeviceBody::history() const {
 
 Result<void> DeviceBody::begin() {
   return impl_->begin();
+}
+
+Result<void> DeviceBody::end() {
+  return impl_->end();
 }
 
 void DeviceBody::expect_pause() {

@@ -19,11 +19,12 @@ namespace somato::devices {
 /// Every period it reads the lines, checks what arrived, moves each servo towards its target within
 /// its limits (SafeMotion), and sends the positions. It stops if a line hangs up, if no valid
 /// answer or frame arrived for the permitted number of periods, if a servo reports an error or is
-/// too hot, outside of its limits or not where it is commanded (ServoWatch), if the program was
-/// held up between two steps or periods, or if the sensor of [safety] exceeds its limit: the servos
-/// hold their positions for the declared time and are then switched off, and step() returns the
-/// error. They are switched off at once if a servo does not obey, when the body is interrupted, and
-/// when it is destroyed. A period allocates nothing.
+/// too hot, outside of its limits or not where it is commanded (ServoWatch), if samples of the
+/// microphone were lost or have another rate (SampleClock), if the program was held up between two
+/// steps or periods, or if the sensor of [safety] exceeds its limit: the servos hold their
+/// positions for the declared time and are then switched off, and step() returns the error. They
+/// are switched off at once if a servo does not obey, when the body is interrupted, and when it is
+/// destroyed. A period allocates nothing.
 class DeviceBody : public Body {
  public:
   /// Starts the servos and waits for the first frame; `lines`, those of lines_of(), must outlive
@@ -53,6 +54,10 @@ class DeviceBody : public Body {
   /// Begins another exploration: what has arrived in the meantime is discarded, and time is 0
   /// again. Errors (kSystem): a line has hung up.
   Result<void> begin();
+
+  /// Ends the exploration. Errors (kSystem), after which the servos are off: samples of the
+  /// microphone were lost, or there are too many.
+  Result<void> end();
 
   /// Moves all servos to their resting positions at their own speeds. Errors: those of step().
   Result<void> go_to_rest();

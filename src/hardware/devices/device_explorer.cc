@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bodies/body/driving.h"
+#include "bodies/body/frame_log.h"
 #include "hardware/devices/device_io.h"
 
 namespace somato::devices {
@@ -16,7 +17,8 @@ Exploration as_exploration(const Body& body, const Exploration& named) {
   const std::vector<ChannelDescription>& sensors = body.description().sensors;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     Channel channel = detail::empty_channel(sensors[i]);
-    channel.frames = body.state().readings[i];
+    channel.frames = Matrix<float>(0, body.state().readings[i].columns());
+    append_readings(channel, body.state().readings[i]);
     present.channels.push_back(std::move(channel));
   }
   return present;
@@ -131,6 +133,9 @@ Result<Exploration> DeviceExplorer::explore_on(DeviceBody& body, const Explorati
     body.expect_pause();
     return explore_with(body);
   });
+  if (explored) {
+    if (auto ended = body.end(); !ended) explored = fail(std::move(ended.error()));
+  }
   // Only the way back is left, unless the device stopped. It can be interrupted as well, and then
   // the exploration before it counts.
   body.keep_to({.should_continue = options.limits.should_continue});

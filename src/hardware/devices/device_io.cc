@@ -4,24 +4,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace somato::devices {
 namespace {
 
 constexpr double kBitsPerByte = 10.0;  // a start bit, 8 bits, a stop bit
 
-tl::unexpected<Error> silent(const std::string& port, std::size_t missed, const char* what,
-                             const char* advice) {
-  return fail(ErrorKind::kSystem, fmt::format("{} for {} periods", what, missed), port, advice);
+tl::unexpected<Error> silent(const std::string& port, std::string what, const char* advice) {
+  return fail(ErrorKind::kSystem, std::move(what), port, advice);
+}
+
+std::string for_periods(const char* what, std::size_t missed) {
+  return fmt::format("{} for {} periods", what, missed);
 }
 
 }  // namespace
 
 DeviceIo::DeviceIo(const DeviceFile& file, wire::Lines& lines)
     : file_(file), lines_(lines), numbers_(file), bus_(make_bus(file)) {
-  if (file.frame_line) stream_ = make_stream(*file.frame_line);
+  if (file.frame_line) stream_ = make_stream(file);
   constexpr double kSeconds = 4.0;
-  if (file.microphone) samples_.emplace(static_cast<std::size_t>(kSeconds * file.microphone->rate));
+  if (file.microphone) {
+    samples_.emplace(static_cast<std::size_t>(kSeconds * file.microphone->rate));
+    sound_.emplace(*file.microphone, file.settings.clock);
+  }
   unsent_.reserve(4096);
 }
 
@@ -82,9 +89,40 @@ Result<void> DeviceIo::receive() {
   if (stream_) {
     SOMATO_TRY_VOID(
         read_all(*numbers_.frames, [&](auto bytes) { stream_->receive(bytes, lines_.now()); }));
+    note_frames();
   }
   if (!samples_) return {};
-  return read_all(*numbers_.microphone, [&](auto bytes) { samples_->receive(bytes); });
+  return read_all(*numbers_.microphone, [&](auto bytes) {
+    const std::size_t before = samples_->received();
+    samples_->receive(bytes);
+    sound_->add(samples_->received() - before, lines_.now());
+  });
+}
+
+Result<void> DeviceIo::reopen_microphone() {
+  sound_->begin();
+  return lines_.reopen(*numbers_.microphone);
+}
+
+Result<void> DeviceIo::wait_for_samples() {
+  constexpr double kFirstSamples = 2.0;  // s; a sound device needs up to one to start
+  const double until = now() + kFirstSamples * std::max(1.0, file_.settings.clock);
+  while (sound_ && !sound_->has_begun()) {
+    if (now() >= until) {
+      return fail(ErrorKind::kSystem,
+                  fmt::format("no samples arrived within {:g} s", kFirstSamples),
+                  file_.microphone->source, "check the sound device");
+    }
+    wait(until);
+    SOMATO_TRY_VOID(receive());
+  }
+  return {};
+}
+
+void DeviceIo::note_frames() {
+  if (stream_->frames() == frames_) return;
+  frames_ = stream_->frames();
+  rejected_at_frame_ = stream_->rejected();
 }
 
 Result<void> DeviceIo::flush() {
@@ -110,7 +148,7 @@ Result<void> DeviceIo::send(std::span<const double> on_bus, double seconds) {
     return queue(bytes);
   }
   if (++delayed_ < file_.safety.missed) return {};
-  return silent(file_.servo_line->port, delayed_, "the line did not accept a command",
+  return silent(file_.servo_line->port, for_periods("the line did not accept a command", delayed_),
                 "check the cable and 'baud', or raise 'period'");
 }
 
@@ -160,6 +198,12 @@ Result<void> DeviceIo::check_servos_fresh(double now) const {
   return {};
 }
 
+std::string DeviceIo::with_complaint(std::string what) const {
+  if (!stream_ || (frames_ > 0 && stream_->rejected() == rejected_at_frame_)) return what;
+  const std::string complaint = stream_->complaint();
+  return complaint.empty() ? what : fmt::format("{}; {}", what, complaint);
+}
+
 Result<void> DeviceIo::check_fresh(double now) const {
   SOMATO_TRY_VOID(check_servos_fresh(now));
   const auto is_late = [&](double time, double periods, double period) {
@@ -171,7 +215,8 @@ Result<void> DeviceIo::check_fresh(double now) const {
       !is_late(stream_->time(), missed, std::max(period, 1.0 / file_.frame_line->rate))) {
     return {};
   }
-  return silent(file_.frame_line->port, file_.safety.missed, "no valid sensor frame arrived",
+  return silent(file_.frame_line->port,
+                with_complaint(for_periods("no valid sensor frame arrived", file_.safety.missed)),
                 "check the cable and the power of the sensor board, its format and 'baud'");
 }
 

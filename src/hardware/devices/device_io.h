@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hardware/buses/sensor_stream.h"
 #include "hardware/buses/servo_bus.h"
 #include "hardware/device_files/device_file.h"
 #include "hardware/devices/device_lines.h"
+#include "hardware/devices/sample_clock.h"
 #include "hardware/devices/sample_queue.h"
 #include "hardware/lines/lines.h"
 
@@ -23,8 +25,8 @@ std::unique_ptr<ServoBus> make_bus(const DeviceFile& file);
 /// can send them at any moment, even while the device starts. Empty without servos.
 std::vector<std::uint8_t> relax_bytes_of(const DeviceFile& file);
 
-/// The decoder of a device's sensor line.
-std::unique_ptr<SensorStream> make_stream(const FrameLine& line);
+/// The decoder of a device's sensor line, which it must have.
+std::unique_ptr<SensorStream> make_stream(const DeviceFile& file);
 
 /// The traffic on the lines of a device: decoded where it arrives, sent as far as the line accepts
 /// it. Nothing allocates after start().
@@ -58,6 +60,10 @@ class DeviceIo {
     return bus_ ? bus_->relax_bytes() : std::span<const std::uint8_t>();
   }
 
+  /// `what` with the reason for which the last piece of the sensor line was no frame, if one was
+  /// rejected after the last frame.
+  std::string with_complaint(std::string what) const;
+
   /// Fails (kSystem) if a line was silent for too long at the time `now`.
   Result<void> check_fresh(double now) const;
 
@@ -72,6 +78,13 @@ class DeviceIo {
   bool measures_positions() const { return bus_ && bus_->measures_positions(); }
   const SensorStream* stream() const { return stream_.get(); }
   SampleQueue* samples() { return samples_ ? &*samples_ : nullptr; }
+  SampleClock* sound() { return sound_ ? &*sound_ : nullptr; }
+
+  /// Opens the microphone again, which it must have. Errors (kSystem): it cannot be opened.
+  Result<void> reopen_microphone();
+
+  /// Waits for its first samples, if there is a microphone. Errors (kSystem): none arrive.
+  Result<void> wait_for_samples();
   double now() const { return lines_.now(); }
   void wait(double until) { lines_.wait(until); }
 
@@ -82,6 +95,7 @@ class DeviceIo {
   bool is_silent(std::size_t servo, double now) const;
   Result<void> check_servos_fresh(double now) const;
   Result<void> check_capacity() const;
+  void note_frames();
   Result<void> at_port(Result<void> done) const;
   Result<void> queue(std::span<const std::uint8_t> bytes);
   Result<void> flush();
@@ -92,11 +106,14 @@ class DeviceIo {
   std::unique_ptr<ServoBus> bus_;
   std::unique_ptr<SensorStream> stream_;
   std::optional<SampleQueue> samples_;
+  std::optional<SampleClock> sound_;
   std::array<std::uint8_t, 4096> received_{};
   std::vector<std::uint8_t> unsent_;
   std::size_t delayed_ = 0;  // Periods in which the line was still sending.
   bool has_sent_ = false;
   double begun_ = 0.0;
+  std::size_t frames_ = 0;             // Those of the stream when it was last read,
+  std::size_t rejected_at_frame_ = 0;  // and what it had rejected when there was a frame.
 };
 
 }  // namespace somato::devices

@@ -27,6 +27,19 @@ std::vector<PacketServo> packet_servos(const DeviceFile& file, const char* model
   return servos;
 }
 
+// The names of the elements of all sensors of the frames; that of the sensor for its only one.
+std::vector<wire::LineName> names_in_frames(const DeviceFile& file) {
+  std::vector<wire::LineName> names;
+  for (const SensorSettings& sensor : file.sensors) {
+    if (sensor.from != SensorOrigin::kFrames) continue;
+    if (sensor.elements.empty()) names.push_back({sensor.name, sensor.first});
+    for (std::size_t i = 0; i < sensor.elements.size(); ++i) {
+      names.push_back({sensor.elements[i], sensor.first + i});
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 std::unique_ptr<ServoBus> make_bus(const DeviceFile& file) {
@@ -50,12 +63,13 @@ std::vector<std::uint8_t> relax_bytes_of(const DeviceFile& file) {
   return {bus->relax_bytes().begin(), bus->relax_bytes().end()};
 }
 
-std::unique_ptr<SensorStream> make_stream(const FrameLine& line) {
+std::unique_ptr<SensorStream> make_stream(const DeviceFile& file) {
+  const FrameLine& line = *file.frame_line;
   switch (line.format) {
     case FrameFormat::kFrames:
       return std::make_unique<SensorFrameStream>(line.elements);
     case FrameFormat::kLines:
-      return std::make_unique<NumberLineStream>(line.elements);
+      return std::make_unique<NumberLineStream>(line.elements, names_in_frames(file));
     case FrameFormat::kAnyskin:
       break;
   }

@@ -16,6 +16,7 @@ void SampleQueue::receive(std::span<const std::uint8_t> bytes) {
 }
 
 void SampleQueue::add(std::int16_t sample) {
+  ++received_;
   if (size_ == samples_.size()) keep(size_ - 1);
   samples_[(first_ + size_++) % samples_.size()] = sample;
 }

@@ -18,6 +18,9 @@ class SampleQueue {
 
   std::size_t size() const { return size_; }
 
+  /// All samples that were ever received.
+  std::size_t received() const { return received_; }
+
   /// Takes the oldest samples into `to`, in counts; throws InvalidArgument if there are fewer.
   void take(std::span<float> to);
 
@@ -33,6 +36,7 @@ class SampleQueue {
   std::vector<std::int16_t> samples_;
   std::size_t first_ = 0;
   std::size_t size_ = 0;
+  std::size_t received_ = 0;
   int half_ = -1;  // The first byte of a sample whose second has not arrived.
 };
 

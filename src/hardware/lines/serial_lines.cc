@@ -7,7 +7,6 @@
 #include <cmath>
 #include <ctime>
 
-#include "hardware/lines/sound_source.h"
 #include "somato/core/check.h"
 
 namespace somato::wire {
@@ -41,8 +40,29 @@ double SerialLines::now() const {
 }
 
 Result<std::size_t> SerialLines::read(std::size_t line, std::span<std::uint8_t> bytes) {
-  if (hung_up_.at(line) != 0) return hung_up(ports_[line].path);
+  const bool is_sound = ports_.at(line).baud == 0;
+  if (is_sound) SOMATO_TRY_VOID(check_words(line));
+  if (hung_up_[line] != 0) {
+    return is_sound ? fail(ended_sound(words_[line], ports_[line].path))
+                    : hung_up(ports_[line].path);
+  }
   return read_available(open_[line].number(), bytes, ports_[line].path);
+}
+
+// A fault of which a recorder speaks lasts until the line is opened again.
+Result<void> SerialLines::check_words(std::size_t line) {
+  constexpr std::size_t kKept = 4096;
+  if (!sounds_[line].words.is_open()) return {};
+  std::array<std::uint8_t, 512> part{};
+  std::string& words = words_[line];
+  for (;;) {
+    const auto count = read_available(sounds_[line].words.number(), part, ports_[line].path);
+    if (!count || *count == 0) break;
+    words.append(reinterpret_cast<const char*>(part.data()), *count);
+  }
+  if (words.size() > kKept) words.erase(0, words.size() - kKept);
+  if (auto fault = fault_in_words(words, ports_[line].path)) return fail(std::move(*fault));
+  return {};
 }
 
 Result<std::size_t> SerialLines::write(std::size_t line, std::span<const std::uint8_t> bytes) {
@@ -74,9 +94,14 @@ Result<void> SerialLines::reopen(std::size_t line) {
   open_.at(line) = Descriptor();
   hung_up_[line] = 1;
   const Port& port = ports_[line];
-  SOMATO_TRY(auto opened, port.baud > 0 ? open_serial_port(port.path, port.baud)
-                                        : open_sound(port.path, port.rate));
-  open_[line] = std::move(opened);
+  if (port.baud > 0) {
+    SOMATO_TRY(open_[line], open_serial_port(port.path, port.baud));
+  } else {
+    words_[line].clear();
+    sounds_[line] = SoundSource();
+    SOMATO_TRY(sounds_[line], open_sound(port.path, port.rate));
+    open_[line] = std::move(sounds_[line].samples);
+  }
   hung_up_[line] = 0;
   return {};
 }

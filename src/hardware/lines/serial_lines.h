@@ -10,6 +10,7 @@
 #include "hardware/lines/line_clock.h"
 #include "hardware/lines/lines.h"
 #include "hardware/lines/serial_port.h"
+#include "hardware/lines/sound_source.h"
 
 namespace somato::wire {
 
@@ -42,15 +43,24 @@ class SerialLines : public Lines {
 
  private:
   SerialLines(std::vector<Port> ports, double clock)
-      : ports_(std::move(ports)), clock_(clock), open_(ports_.size()), hung_up_(ports_.size(), 0) {}
+      : ports_(std::move(ports)),
+        clock_(clock),
+        open_(ports_.size()),
+        sounds_(ports_.size()),
+        words_(ports_.size()),
+        hung_up_(ports_.size(), 0) {}
 
   void wait_at_ports(double until);
 
   std::vector<Port> ports_;
   double clock_;
   std::optional<LineClock> emulator_clock_;
+  Result<void> check_words(std::size_t line);
+
   std::vector<Descriptor> open_;
-  std::vector<char> hung_up_;  // Noticed while waiting: reading would only give nothing.
+  std::vector<SoundSource> sounds_;  // One for each line; the samples are in open_.
+  std::vector<std::string> words_;   // The messages of their recorders.
+  std::vector<char> hung_up_;        // Noticed while waiting: reading would only give nothing.
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,13 +12,15 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <span>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "base/arrays/wav.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 
@@ -42,57 +45,36 @@ Result<Descriptor> open_raw(const std::string& path) {
   return system_error("cannot open the sound", path);
 }
 
-std::uint32_t number_at(const Bytes& bytes, std::size_t offset, std::size_t size) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    number |= static_cast<std::uint32_t>(bytes[offset + i]) << (8 * i);
-  }
-  return number;
-}
-
-bool has_name(const Bytes& bytes, std::size_t offset, std::string_view name) {
-  return bytes.size() >= offset + name.size() &&
-         std::equal(name.begin(), name.end(), bytes.begin() + static_cast<std::ptrdiff_t>(offset));
-}
-
-// The chunk of that name: its first byte and its length.
-std::pair<std::size_t, std::size_t> chunk(const Bytes& bytes, std::string_view name) {
-  constexpr std::size_t kHeader = 8;
-  for (std::size_t at = 12; at + kHeader <= bytes.size();) {
-    const std::size_t size = number_at(bytes, at + 4, 4);
-    if (has_name(bytes, at, name)) {
-      return {at + kHeader, std::min(size, bytes.size() - at - kHeader)};
-    }
-    at += kHeader + size + size % 2;
-  }
-  return {0, 0};
-}
-
-// The samples of a WAV file.
+// The samples of a WAV file, 16 bits each.
 Result<Bytes> wav_samples(const std::string& path, double rate) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return system_error("cannot open the sound", path);
-  const Bytes bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  const auto [format, format_size] = chunk(bytes, "fmt ");
-  const auto [data, size] = chunk(bytes, "data");
-  if (!has_name(bytes, 0, "RIFF") || !has_name(bytes, 8, "WAVE") || format_size < 16 || data == 0) {
-    return no_sound(ErrorKind::kData, "this is no whole WAV file", path, "give a WAV file");
-  }
-  const std::uint32_t channels = number_at(bytes, format + 2, 2);
-  const std::uint32_t bits = number_at(bytes, format + 14, 2);
-  const std::uint32_t file_rate = number_at(bytes, format + 4, 4);
-  if (number_at(bytes, format, 2) != 1 || channels != 1 || bits != 16) {
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  SOMATO_TRY(const Sound sound, decode_wav(bytes, path));
+  if (sound.samples.columns() != 1) {
     return no_sound(ErrorKind::kData,
-                    fmt::format("the file has {} channels of {} bits", channels, bits), path,
-                    "convert it, for example with: sox FILE -c 1 -b 16 NEW.wav");
+                    fmt::format("the file has {} channels, not one", sound.samples.columns()), path,
+                    "convert it, for example with: sox FILE -c 1 NEW.wav");
   }
-  if (static_cast<double>(file_rate) != rate) {
+  if (sound.rate != rate) {
     return no_sound(ErrorKind::kData,
-                    fmt::format("the file has {} samples per second, not {:g}", file_rate, rate),
+                    fmt::format("the file has {} samples per second, not {:g}", sound.rate, rate),
                     path, "correct 'rate' of [microphone], or convert the file");
   }
-  const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(data);
-  return Bytes(begin, begin + static_cast<std::ptrdiff_t>(size - size % 2));
+  Bytes samples;
+  samples.reserve(2 * sound.samples.rows());
+  for (const float value : sound.samples.values()) {
+    const float count = std::round(value * 32768.0F);
+    if (count < -32768.0F || count > 32768.0F) {
+      return no_sound(ErrorKind::kData, fmt::format("a sample is {:g}, beyond 1", value), path,
+                      "lower its volume, for example with: sox FILE --norm NEW.wav");
+    }
+    const auto bits =
+        static_cast<std::uint16_t>(static_cast<std::int16_t>(std::min(count, 32767.0F)));
+    samples.push_back(static_cast<std::uint8_t>(bits & 0xFFU));
+    samples.push_back(static_cast<std::uint8_t>(bits >> 8U));
+  }
+  return samples;
 }
 
 // Sends the samples when they are due, until all are sent or the other side is closed.
@@ -126,44 +108,130 @@ Result<Descriptor> open_wav(const std::string& path, double rate) {
   return ours;
 }
 
-// ALSA's recorder writes to a pipe; it ends when its reader does.
-Result<Descriptor> open_alsa(const std::string& device, double rate) {
+struct Pipe {
+  Descriptor ours;
+  Descriptor theirs;
+};
+
+Result<Pipe> open_pipe(const std::string& source) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) return system_error("cannot record sound", device);
-  Descriptor ours(ends[0]);
-  const Descriptor theirs(ends[1]);
-  fcntl(ours.number(), F_SETFL, O_NONBLOCK);
-  std::array<std::string, 12> words{"arecord", "-q",  "-D", device,
-                                    "-t",      "raw", "-f", "S16_LE",
-                                    "-c",      "1",   "-r", fmt::format("{:.0f}", rate)};
-  std::vector<char*> arguments;
-  arguments.reserve(words.size() + 1);
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) return system_error("cannot record sound", source);
+  fcntl(ends[0], F_SETFL, O_NONBLOCK);
+  return Pipe{Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+// The environment with messages in English, which fault_in_words() reads.
+std::vector<char*> english_environment() {
+  static std::string english = "LC_ALL=C";
+  std::vector<char*> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text(*variable);
+    if (!text.starts_with("LC_ALL=") && !text.starts_with("LANGUAGE=")) {
+      variables.push_back(*variable);
+    }
+  }
+  variables.push_back(english.data());
+  variables.push_back(nullptr);
+  return variables;
+}
+
+// ALSA's recorder writes to a pipe, and its messages to another one.
+Result<SoundSource> open_alsa(const std::string& device, double rate) {
+  SOMATO_TRY(Pipe samples, open_pipe(device));
+  SOMATO_TRY(Pipe words, open_pipe(device));
+  std::array<std::string, 11> arguments{"arecord",
+                                        "-D",
+                                        device,
+                                        "-t",
+                                        "raw",
+                                        "-f",
+                                        "S16_LE",
+                                        "-c",
+                                        "1",
+                                        "-r",
+                                        fmt::format("{:.0f}", rate)};
+  std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
   posix_spawn_file_actions_t actions{};
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, theirs.number(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, samples.theirs.number(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, words.theirs.number(), STDERR_FILENO);
   pid_t process = 0;
-  const int failed =
-      posix_spawnp(&process, "arecord", &actions, nullptr, arguments.data(), environ);
+  const int failed = posix_spawnp(&process, "arecord", &actions, nullptr, pointers.data(),
+                                  english_environment().data());
   posix_spawn_file_actions_destroy(&actions);
-  if (failed == 0) return ours;
+  if (failed == 0) {
+    return SoundSource{std::move(samples.ours), std::move(words.ours), Recorder(process)};
+  }
   return no_sound(ErrorKind::kSystem,
                   fmt::format("cannot start arecord: {}", std::strerror(failed)), device,
                   "install it, on Debian with: sudo apt-get install alsa-utils");
 }
 
+Result<SoundSource> only_samples(Result<Descriptor> opened) {
+  return std::move(opened).map(
+      [](Descriptor samples) { return SoundSource{std::move(samples), Descriptor(), Recorder()}; });
+}
+
+// The last line of `words` with `text` in it.
+std::string_view line_with(std::string_view words, std::string_view text) {
+  const std::size_t found = words.rfind(text);
+  if (found == std::string_view::npos) return {};
+  const std::size_t before = words.rfind('\n', found);
+  const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+  return words.substr(begin, words.find('\n', found) - begin);
+}
+
 }  // namespace
 
-Result<Descriptor> open_sound(const std::string& source, double rate) {
+// It has nothing to finish, and must let go of its device before another one starts.
+Recorder::~Recorder() {
+  if (process_ <= 0) return;
+  kill(process_, SIGKILL);
+  waitpid(process_, nullptr, 0);
+}
+
+Result<SoundSource> open_sound(const std::string& source, double rate) {
   const std::size_t colon = source.find(':');
   const std::string kind = source.substr(0, colon);
   const std::string name = colon == std::string::npos ? "" : source.substr(colon + 1);
-  if (kind == "raw") return open_raw(name);
-  if (kind == "wav") return open_wav(name, rate);
+  if (kind == "raw") return only_samples(open_raw(name));
+  if (kind == "wav") return only_samples(open_wav(name, rate));
   if (kind == "alsa") return open_alsa(name, rate);
   return no_sound(ErrorKind::kUsage, "this is no source of sound", source,
                   "use alsa:DEVICE, wav:FILE or raw:FILE");
+}
+
+std::optional<Error> fault_in_words(std::string_view words, const std::string& source) {
+  const auto fault = [&](std::string_view sign, const char* what, std::string advice) {
+    const std::string_view line = line_with(words, sign);
+    if (line.empty()) return std::optional<Error>();
+    return std::optional(
+        Error{ErrorKind::kSystem, fmt::format("{}: {}", what, line), source, std::move(advice)});
+  };
+  if (auto busy = fault("Device or resource busy", "the sound device is in use",
+                        "end the program that uses it; 'fuser -v /dev/snd/*' names it")) {
+    return busy;
+  }
+  if (auto rate = fault("rate is not accurate", "the sound device has another rate",
+                        "set this rate as 'rate' of [microphone], or use source = "
+                        "\"alsa:plughw:...\", which converts the rate")) {
+    return rate;
+  }
+  return fault("overrun!!!", "samples of the microphone were lost",
+               "use a computer that is less busy, or a lower 'rate'");
+}
+
+Error ended_sound(std::string_view words, const std::string& source) {
+  if (auto fault = fault_in_words(words, source)) return *fault;
+  while (words.ends_with('\n')) words.remove_suffix(1);
+  const std::size_t last = words.rfind('\n') + 1;  // 0 without one.
+  return {ErrorKind::kSystem,
+          words.empty() ? "the sound has ended"
+                        : fmt::format("the recorder has ended: {}", words.substr(last)),
+          source, "check the sound device, and 'source' and 'rate' of [microphone]"};
 }
 
 }  // namespace somato::wire

@@ -11,7 +11,7 @@ namespace somato::devices {
 /// The formats in which boards send the values of sensors.
 enum class FrameFormat {
   kFrames,   ///< docs/formats/sensor-frames.md: checked, numbered, with the time of the device.
-  kLines,    ///< Lines of comma-separated numbers.
+  kLines,    ///< Lines of numbers, or of names and numbers.
   kAnyskin,  ///< Frames of AnySkin, ReSkin and eFlesh: x, y and z of each magnetometer.
 };
 

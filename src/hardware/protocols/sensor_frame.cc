@@ -1,5 +1,7 @@
 #include "hardware/protocols/sensor_frame.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,8 +27,9 @@ std::size_t body_bytes(std::size_t values, SensorValueType type) {
 }
 
 void put_value(float value, std::span<std::uint8_t> bytes) {
-  require(std::isfinite(value), "a sensor value is not finite");
+  require(!std::isinf(value), "a sensor value is infinite");
   if (bytes.size() == 4) return put_float(value, bytes.first<4>());
+  require(!std::isnan(value), "int16 cannot say that a value is missing");
   const float rounded = std::round(value);
   require(rounded >= -32768.0F && rounded <= 32767.0F, "a sensor value exceeds int16");
   put_little_endian(static_cast<std::uint32_t>(static_cast<std::int32_t>(rounded)), bytes);
@@ -117,36 +120,65 @@ void SensorFrameDecoder::put(std::uint8_t byte) {
 }
 
 bool SensorFrameDecoder::finish() {
-  const bool accepted = !empty_ && is_whole() && read();
-  if (!empty_ && !accepted) ++rejected_;
+  if (empty_) return false;
+  std::optional<Fault> fault = fault_in_whole();
+  if (!fault) fault = read();
+  if (fault) {
+    ++rejected_;
+    fault_ = *fault;
+    fault_bytes_ = size_;
+  }
   size_ = 0;
   left_ = 0;
   zero_follows_ = false;
   empty_ = true;
-  return accepted;
+  return !fault;
 }
 
-bool SensorFrameDecoder::is_whole() const {
-  if (left_ > 0 || size_ < kSensorHead + kSensorChecksum || size_ > body_.size()) return false;
+std::optional<SensorFrameDecoder::Fault> SensorFrameDecoder::fault_in_whole() const {
+  if (left_ > 0 || size_ < kSensorHead + kSensorChecksum) return Fault::kCut;
   const auto type = static_cast<SensorValueType>(body_[0]);
-  if (type != SensorValueType::kInt16 && type != SensorValueType::kFloat32) return false;
-  if (size_ != body_bytes(values_.size(), type)) return false;
+  const bool is_known = type == SensorValueType::kInt16 || type == SensorValueType::kFloat32;
+  if (!is_known) return Fault::kType;
+  if (size_ > body_.size() || size_ != body_bytes(values_.size(), type)) return Fault::kLength;
   const auto body = std::span(body_).first(size_);
-  return crc32(body.first(size_ - kSensorChecksum)) == little_endian(body.last(kSensorChecksum));
+  const bool is_right =
+      crc32(body.first(size_ - kSensorChecksum)) == little_endian(body.last(kSensorChecksum));
+  return is_right ? std::nullopt : std::optional(Fault::kChecksum);
 }
 
-bool SensorFrameDecoder::read() {
+std::optional<SensorFrameDecoder::Fault> SensorFrameDecoder::read() {
   const auto body = std::span<const std::uint8_t>(body_);
   const auto type = static_cast<SensorValueType>(body[0]);
   const std::size_t width = width_of(type);
   for (std::size_t i = 0; i < candidate_.size(); ++i) {
     candidate_[i] = value_of(body.subspan(kSensorHead + width * i, width));
-    if (!std::isfinite(candidate_[i])) return false;
+    if (std::isinf(candidate_[i])) return Fault::kInfinite;
   }
   std::copy(candidate_.begin(), candidate_.end(), values_.begin());
   frame_ = {static_cast<std::uint16_t>(little_endian(body.subspan(1, 2))),
             little_endian(body.subspan(3, 4)), type, values_};
-  return true;
+  return std::nullopt;
+}
+
+std::string SensorFrameDecoder::complaint() const {
+  if (rejected_ == 0) return {};
+  const std::size_t values = values_.size();
+  switch (fault_) {
+    case Fault::kCut:
+      return fmt::format("the last frame was cut after {} bytes", fault_bytes_);
+    case Fault::kLength:
+      return fmt::format("the last frame had {} bytes instead of {} or {} for {} values",
+                         fault_bytes_, body_bytes(values, SensorValueType::kInt16),
+                         body_bytes(values, SensorValueType::kFloat32), values);
+    case Fault::kType:
+      return "the last frame had an unknown type of values";
+    case Fault::kChecksum:
+      return "the last frame had a wrong checksum";
+    case Fault::kInfinite:
+      break;
+  }
+  return "the last frame had an infinite value";
 }
 
 }  // namespace somato::wire

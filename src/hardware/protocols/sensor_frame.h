@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace somato::wire {
@@ -24,13 +26,14 @@ struct SensorFrame {
 std::size_t sensor_frame_bytes(std::size_t values, SensorValueType type);
 
 /// Writes the frame; returns the number of bytes, which depends on the values. Values of type
-/// int16 are rounded. Throws InvalidArgument for 0 or more than kMostSensorValues values, for
-/// values that are not finite or beyond int16, and if `bytes` is smaller than
-/// sensor_frame_bytes(). Allocates nothing.
+/// int16 are rounded; a NaN of type float32 is a missing value. Throws InvalidArgument for 0 or
+/// more than kMostSensorValues values, for values that are infinite or that int16 cannot express,
+/// and if `bytes` is smaller than sensor_frame_bytes(). Allocates nothing.
 std::size_t encode_sensor_frame(const SensorFrame& frame, std::span<std::uint8_t> bytes);
 
 /// Finds frames in a stream of bytes. It accepts a frame only whole: of the declared number of
-/// values, with a correct CRC-32 and finite values. It allocates at its creation only.
+/// values, with a correct CRC-32 and without infinite values. A NaN says that the board has no
+/// reading. It allocates at its creation only, except for text.
 class SensorFrameDecoder {
  public:
   /// For frames with `values` values, 1 to kMostSensorValues.
@@ -45,12 +48,17 @@ class SensorFrameDecoder {
   /// Pieces of the stream between zeros that were no frame.
   std::size_t rejected() const { return rejected_; }
 
+  /// Why the last of these pieces was no frame; empty without one.
+  std::string complaint() const;
+
  private:
+  enum class Fault { kCut, kLength, kType, kChecksum, kInfinite };
+
   void unpack(std::uint8_t byte);
   void put(std::uint8_t byte);
   bool finish();
-  bool is_whole() const;
-  bool read();
+  std::optional<Fault> fault_in_whole() const;
+  std::optional<Fault> read();
 
   std::vector<float> values_;
   std::vector<float> candidate_;
@@ -61,6 +69,8 @@ class SensorFrameDecoder {
   bool empty_ = true;
   SensorFrame frame_;
   std::size_t rejected_ = 0;
+  Fault fault_ = Fault::kCut;    // That of the last piece that was rejected,
+  std::size_t fault_bytes_ = 0;  // and its length.
 };
 
 }  // namespace somato::wire

@@ -14,6 +14,18 @@ std::vector<std::size_t> frames_of(const Recording& recording, std::size_t chann
   return frames;
 }
 
+FrameRates rates_of(const Recording& recording, std::size_t channel) {
+  FrameRates rates;
+  rates.first = recording.explorations.front().channels[channel].frame_rate();
+  for (const Exploration& exploration : recording.explorations) {
+    const double rate = exploration.channels[channel].frame_rate();
+    if (rate <= 0.0) continue;
+    rates.least = rates.least > 0.0 ? std::min(rates.least, rate) : rate;
+    rates.most = std::max(rates.most, rate);
+  }
+  return rates;
+}
+
 }  // namespace
 
 RecordingLayout layout_of(const Recording& recording) {
@@ -28,7 +40,7 @@ RecordingLayout layout_of(const Recording& recording) {
     layout.channels.push_back(
         {channel.name, channel.unit, channel.frame_shape(), channel.element_names,
          first + 1 < frames.size() ? layout.channels[first].name : channel.name});
-    layout.rates.push_back(channel.frame_rate());
+    layout.rates.push_back(rates_of(recording, layout.rates.size()));
     std::size_t total = 0;
     for (const std::size_t count : frames.back()) total += count;
     layout.frames = std::max(layout.frames, total);

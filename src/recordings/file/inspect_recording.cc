@@ -79,6 +79,9 @@ class Inspection {
     if (!done) summary_.damage = done.error();
     summary_.knows_explorations = !meanings_.is_foreign();
     summary_.labels = labels_.take();
+    for (ChannelSummary& channel : summary_.channels) {
+      channel.ranges = std::move(ranges_[channel.description.name]).elements();
+    }
     summary_.compression = file_->compressions();
     summary_.size = file_->size();
     return std::move(summary_);
@@ -91,14 +94,18 @@ class Inspection {
     if (!message) return false;
     SOMATO_TRY(const Meaning meaning, meanings_.interpret(*message));
     if (meaning == Meaning::kBegin) labels_.add(meanings_.exploration().labels);
-    if (meaning == Meaning::kFrame) see(meanings_.frames().front().time);
+    if (meaning == Meaning::kFrame) see(meanings_.frames());
     if (meaning == Meaning::kEnd) end();
     return true;
   }
 
-  void see(std::int64_t time) {
+  void see(const std::vector<RecordingInterpreter::Frame>& frames) {
+    const std::int64_t time = frames.front().time;
     earliest_ = std::min(earliest_.value_or(time), time);
     latest_ = std::max(latest_.value_or(time), time);
+    for (const RecordingInterpreter::Frame& frame : frames) {
+      ranges_[meanings_.channels()[frame.channel].description.name].add(frame.values, frame.valid);
+    }
   }
 
   void end() {
@@ -113,10 +120,19 @@ class Inspection {
     const auto [known, is_new] =
         by_name_.emplace(channel.description.name, summary_.channels.size());
     if (is_new) {
-      summary_.channels.push_back(
-          {channel.description, channel.elements, 0, channel.frames, channel.frames});
+      const double rate = channel.description.rate;
+      summary_.channels.push_back({channel.description,
+                                   channel.elements,
+                                   0,
+                                   channel.frames,
+                                   channel.frames,
+                                   rate,
+                                   rate,
+                                   {}});
     }
     ChannelSummary& summary = summary_.channels[known->second];
+    summary.least_rate = std::min(summary.least_rate, channel.description.rate);
+    summary.most_rate = std::max(summary.most_rate, channel.description.rate);
     ++summary.explorations;
     summary.elements = std::max(summary.elements, channel.elements);
     summary.least_frames = std::min<std::uint64_t>(summary.least_frames, channel.frames);
@@ -127,6 +143,7 @@ class Inspection {
   RecordingInterpreter meanings_;
   LabelCounter labels_;
   std::map<std::string, std::size_t> by_name_;
+  std::map<std::string, ElementRanges> ranges_;
   RecordingSummary summary_;
   std::optional<std::int64_t> earliest_;
   std::optional<std::int64_t> latest_;

@@ -40,6 +40,13 @@ void set_entry(Table& settings, Table::Entry entry) {
   }
 }
 
+FrameRates rates_of(const Source& source, const RecordingLayout& layout) {
+  for (std::size_t i = 0; i < layout.rates.size(); ++i) {
+    if (layout.channels[i].name == source.channel()) return layout.rates[i];
+  }
+  return {};
+}
+
 bool is_port(const ModuleType& type, const std::string& name) {
   return std::any_of(type.ports.begin(), type.ports.end(),
                      [&](const InputPort& port) { return port.name == name; });
@@ -150,7 +157,7 @@ Result<void> System::make_modules() {
   std::set<std::string> names;
   for (const ModuleDescription& module : description_.modules) {
     const std::size_t number = modules_.size();
-    modules_.push_back({module.name, module.settings.where, nullptr, nullptr, {}, {}, {}});
+    modules_.push_back({module.name, module.settings.where, nullptr, nullptr, {}, {}, {}, {}});
     if (!names.insert(module.name).second) {
       return fail(at_module(
           {ErrorKind::kUsage, "two modules have this name", {}, "rename one of them"}, number));
@@ -216,6 +223,7 @@ Result<void> System::infer_types() {
   for (SystemModule& module : modules_) {
     auto* source = dynamic_cast<Source*>(module.module.get());
     if (source == nullptr) continue;
+    module.rates = rates_of(*source, layout_);
     if (auto opened = source->open(layout_); !opened) {
       const auto number = static_cast<std::size_t>(&module - modules_.data());
       return fail(at_module(std::move(opened.error()), number));
@@ -286,8 +294,10 @@ Result<void> System::infer_module(std::size_t number) {
   std::vector<Connection> inputs;
   inputs.reserve(module.inputs.size());
   for (std::size_t i = 0; i < module.inputs.size(); ++i) {
-    inputs.push_back({module.ports[i], modules_[module.inputs[i]].output});
+    inputs.push_back(
+        {module.ports[i], modules_[module.inputs[i]].output, modules_[module.inputs[i]].rates});
   }
+  if (!inputs.empty()) module.rates = inputs.front().rates;
   Table& settings = description_.modules[number].settings;
   for (Table::Entry& decided : module.module->decide(inputs, layout_).entries) {
     set_entry(settings, std::move(decided));

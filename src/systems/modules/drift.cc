@@ -56,7 +56,9 @@ class TareModule : public Module {
 // The rate of the channels that share the clock; 0 if unknown.
 double rate_of(const std::string& clock, const RecordingLayout& layout) {
   for (std::size_t i = 0; i < layout.rates.size(); ++i) {
-    if (layout.channels[i].clock == clock && layout.rates[i] > 0.0) return layout.rates[i];
+    if (layout.channels[i].clock == clock && layout.rates[i].first > 0.0) {
+      return layout.rates[i].first;
+    }
   }
   return 0.0;
 }

@@ -166,6 +166,14 @@ class SpectrumModule : public WholeModule {
   using Parameters = SpectrumParameters;
   explicit SpectrumModule(const Parameters& parameters) : parameters_(parameters) {}
 
+  // The lowest rate decides for all, so that a band is the same frequencies in every exploration.
+  Table decide(const std::vector<Connection>& inputs, const RecordingLayout& /*layout*/) override {
+    const double rate = inputs.front().rates.least;
+    if (parameters_.rate || rate == 0.0 || !parameters_.depend_on_rate()) return {};
+    parameters_.rate = rate;
+    return {{}, {{"rate", {}, Parameters::declarations().find("rate")->read(parameters_)}}};
+  }
+
   Result<PortType> connect(const std::vector<Connection>& inputs) override {
     SOMATO_TRY_VOID(parameters_.validate());
     const Connection& input = inputs.front();

@@ -103,20 +103,38 @@ Error bands_beyond(double low, double high, double limit, double rate,
       "lower 'low' and 'high'"};
 }
 
+// Spectra whose frequencies depend on the rate, of frames at a rate unlike the common one.
+Result<void> check_rate(const SpectrumParameters& parameters, double rate) {
+  if (!parameters.rate || rate <= 0.0) return {};
+  const double share = rate / *parameters.rate;
+  const bool is_too_high = parameters.bands == 0 && share > 1.0 + kSpectrumRateTolerance;
+  if (!is_too_high && share >= 1.0 - kSpectrumRateTolerance) return {};
+  return fail(
+      ErrorKind::kData,
+      fmt::format("frames at {:.6g} Hz have other frequencies than those at {:.6g} Hz", rate,
+                  *parameters.rate),
+      {},
+      parameters.bands == 0
+          ? "set 'bands' and 'high', or use explorations of one rate"
+          : "set 'high' to at most half of the lowest rate, or use explorations of one rate");
+}
+
 // The edges of the bands, in bins; none where every bin is taken.
 Result<std::vector<double>> edges_in_bins(const SpectrumParameters& parameters, double rate,
                                           std::optional<double> speed,
                                           std::size_t transform_length) {
   SOMATO_TRY(const double unit, axis_unit(parameters, speed));
+  SOMATO_TRY_VOID(check_rate(parameters, rate));
   if (parameters.bands == 0) return std::vector<double>{};
   if (rate <= 0.0 || !std::isfinite(rate)) {
     return fail(ErrorKind::kData, "bands require the frame rate, which is unknown", {},
                 "record times or a rate, or use every bin with 'bands' 0");
   }
   const double limit = rate / 2.0 / unit;
-  const double high = parameters.high.value_or(limit);
+  const double high = parameters.high.value_or(parameters.rate.value_or(rate) / 2.0);
   // A rate that was computed from times has a small error.
-  if (high > limit * (1.0 + 1e-6) || parameters.low >= high) {
+  const double tolerance = parameters.high ? 1e-6 : kSpectrumRateTolerance;
+  if (high * (1.0 - tolerance) > limit || parameters.low >= std::min(high, limit)) {
     return fail(bands_beyond(parameters.low, high, limit, rate, speed));
   }
   std::vector<double> edges = band_edges(parameters, high);

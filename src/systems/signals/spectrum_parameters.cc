@@ -95,8 +95,12 @@ const Declarations<SpectrumParameters>& SpectrumParameters::declarations() {
           .add("low", &P::low, "Hz, or cycles/mm with a speed", Range::at_least(0),
                "Lower edge of the first band. Not given in the paper.")
           .add("high", &P::high, "Hz, or cycles/mm with a speed", Range::above(0),
-               "Upper edge of the last band; automatic, without a speed: half the frame rate. Not "
-               "given in the paper.")
+               "Upper edge of the last band; automatic, without a speed: half of 'rate'. Not given "
+               "in the paper.")
+          .add("rate", &P::rate, "Hz", Range::above(0),
+               "Frame rate of the spectra that are compared, if 'high' is automatic or 'bands' is "
+               "0: bands end at half of it, and bins require it; automatic: the lowest of the "
+               "recording.")
           .add("scale", &P::scale, "", Range::any(),
                "Whether values are linear or log(floor + value). Not given in the "
                "paper.")
@@ -113,6 +117,9 @@ Result<void> SpectrumParameters::validate() const {
     return misfit(fmt::format("a transform of {} frames cannot take segments of {}",
                               *transform_length, *segment_length),
                   "raise 'transform_length', or leave it out");
+  }
+  if (rate && !depend_on_rate()) {
+    return misfit("'rate' has no effect, because 'high' is set", "leave out one of them");
   }
   return bands == 0 ? validate_bins(*this) : validate_bands(*this);
 }

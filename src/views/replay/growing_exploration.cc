@@ -1,8 +1,10 @@
 #include "views/replay/growing_exploration.h"
 
+#include <cmath>
 #include <utility>
 
 #include "bodies/body/driving.h"
+#include "bodies/body/frame_log.h"
 
 namespace somato::live {
 namespace {
@@ -46,6 +48,8 @@ void GrowingExploration::append(BodyStep step) {
   for (std::size_t i = 0; i < step.state.readings.size(); ++i) {
     Matrix<float>& taken = step.state.readings[i];
     if (taken.rows() == 0) taken = std::move(last_.state.readings[i]);
+    // A missing reading is shown as 0, as in the exploration.
+    for (float& value : taken.values()) value = std::isnan(value) ? 0.0F : value;
   }
   last_ = std::move(step);
 }
@@ -56,7 +60,7 @@ void GrowingExploration::append_frames(const BodyState& state) {
     if (taken.empty()) continue;
     Channel& channel = exploration_.channels[i];
     if (frames_[i] == 0) channel.frames = Matrix<float>(0, taken.columns());
-    channel.frames.append(taken);
+    append_readings(channel, taken);
     frames_[i] += taken.rows();
     if (channel.rate == 0.0) channel.times.push_back(state.time);
   }

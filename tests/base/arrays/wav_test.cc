@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/archives/little_endian.h"
@@ -62,6 +63,18 @@ std::string wav_refusal(const std::string& bytes) {
 constexpr std::uint16_t kPcm = 1;
 constexpr std::uint16_t kFloat = 3;
 
+// A file with these sizes in its head and its data, whatever it holds.
+std::string wav_with_sizes(std::uint32_t riff, std::uint32_t data, const std::string& samples,
+                           std::uint16_t bits = 16) {
+  std::string bytes = wav(wav_part("fmt ", wav_format(kPcm, 1, bits)) + wav_part("LIST", "odd"));
+  std::string size;
+  append_little_endian(size, riff);
+  bytes.replace(4, 4, size);
+  bytes += "data";
+  append_little_endian(bytes, data);
+  return bytes + samples;
+}
+
 TEST(Wav, IntegersAreSharesOfTheirRange) {
   EXPECT_EQ(
       read_wav(wav(wav_format(kPcm, 1, 16), wav_samples<std::int16_t>({-32768, 0, 16384, 1}))),
@@ -117,6 +130,44 @@ TEST(Wav, AnyBytesAreReadOrRefused) {
     if (i % 3 == 0) changed.resize(random.below(changed.size()));
     (void)decode_wav(changed, "a.wav");
   }
+}
+
+// As ffmpeg, sox, arecord, libsndfile and GStreamer write to a pipe.
+TEST(Wav, SamplesOfUnknownSizeReachToTheEnd) {
+  const std::string samples = wav_samples<std::int16_t>({16384, -16384, 0});
+  const Matrix<float> expected(3, 1, {0.5F, -0.5F, 0.0F});
+  for (const auto& [riff, data] :
+       std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0xFFFFFFFFU, 0xFFFFFFFFU},
+                                                            {0x7FFFF024U, 0x7FFFF000U},
+                                                            {0x80000024U, 0x80000000U},
+                                                            {0x7FFFFFFFU, 0x7FFFFFDBU},
+                                                            {0xFFFFFFFFU, 0xFFFFFFDBU},
+                                                            {0, 0},
+                                                            {36, 0},
+                                                            {0, 0xFFFFFFFFU}}) {
+    EXPECT_EQ(read_wav(wav_with_sizes(riff, data, samples)), expected) << riff << " " << data;
+  }
+  // An odd number of bytes is padded.
+  EXPECT_EQ(read_wav(wav_with_sizes(~0U, ~0U, std::string("\0\0\x40\0", 4), 24)),
+            Matrix<float>(1, 1, 0.5F));
+}
+
+TEST(Wav, ATornFileIsNoFileOfUnknownSize) {
+  const std::string samples = wav_samples<std::int16_t>({16384, -16384, 0});
+  for (const std::uint32_t size : {7U, 8U, 100U, 1U << 20U, 1U << 30U, 3U << 30U}) {
+    EXPECT_NE(wav_refusal(wav_with_sizes(size + 40, size, samples)).find("the file is cut within"),
+              std::string::npos)
+        << size;
+  }
+  // In the middle of a sample.
+  EXPECT_NE(wav_refusal(wav_with_sizes(~0U, ~0U, samples + "a")).find("its last sample is cut"),
+            std::string::npos);
+  // No sound at all, and another part behind it.
+  EXPECT_NE(wav_refusal(wav_with_sizes(~0U, ~0U, "")).find("it has no samples"), std::string::npos);
+  EXPECT_NE(wav_refusal(wav(wav_part("fmt ", wav_format(kPcm, 1, 16)) + wav_part("data", "") +
+                            wav_part("LIST", "even")))
+                .find("it has no samples"),
+            std::string::npos);
 }
 
 }  // namespace

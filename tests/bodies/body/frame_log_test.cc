@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <limits>
+
 #include "somato/core/check.h"
 
 namespace somato {
@@ -41,6 +44,21 @@ TEST(FrameLog, KeepsFramesWithTheTimesAtWhichTheyWereTaken) {
   EXPECT_EQ(channels[2].frames.rows(), 3U);
   EXPECT_EQ(channels[2].shape, (std::vector<std::size_t>{2, 1}));
   EXPECT_TRUE(channels[2].times.empty());
+  EXPECT_TRUE(validate(Recording{{{{}, {}, channels}}}));
+}
+
+TEST(FrameLog, MarksMissingReadings) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  FrameLog log(three_sensors());
+  ASSERT_TRUE(log.append(state_of(0.25, {1, 2}, {10})));
+  ASSERT_TRUE(log.append(state_of(0.5, {3, kNone}, {20, kNone})));
+  ASSERT_TRUE(log.append(state_of(2, {5, 6}, {})));
+  const std::vector<Channel> channels = std::move(log).channels();
+  EXPECT_EQ(channels[0].frames, Matrix<float>(3, 2, {1, 2, 3, 0, 5, 6}));
+  EXPECT_EQ(channels[0].valid,
+            Matrix<std::uint8_t>(3, 2, std::vector<std::uint8_t>{1, 1, 1, 0, 1, 1}));
+  EXPECT_EQ(channels[1].valid, Matrix<std::uint8_t>(3, 1, std::vector<std::uint8_t>{1, 1, 0}));
+  EXPECT_TRUE(channels[2].valid.empty());
   EXPECT_TRUE(validate(Recording{{{{}, {}, channels}}}));
 }
 

@@ -3,8 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
 #include <tuple>
 #include <utility>
+
+#include "base/support/temporary_folder.h"
 
 namespace somato::wire {
 namespace {
@@ -40,6 +45,69 @@ TEST(SerialLines, NoticesAHangUpWhileWaitingAndOpensAgain) {
   const auto again = (*lines)->reopen(0);
   ASSERT_FALSE(again);
   EXPECT_EQ(again.error().kind, ErrorKind::kSystem);
+}
+
+// A recorder in the place of ALSA's, which says `words` and then sends samples for ever.
+class SerialLinesSound : public ::testing::Test {
+ protected:
+  void have_recorder_say(const std::string& words, const std::string& then) {
+    const std::string path =
+        folder_.with("arecord", "#!/bin/sh\necho \"$LC_ALL $*\" > " + folder_.file("arguments") +
+                                    "\necho '" + words + "' >&2\n" + then + "\n");
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    setenv("PATH", (folder_.path() + ":" + path_).c_str(), 1);
+  }
+  ~SerialLinesSound() override { setenv("PATH", path_.c_str(), 1); }
+
+  // The error with which reading fails, sooner or later.
+  static Error failure(wire::Lines& lines) {
+    std::array<std::uint8_t, 512> read{};
+    for (;;) {
+      const auto count = lines.read(0, read);
+      if (!count) return count.error();
+      lines.wait(lines.now() + 0.01);
+    }
+  }
+
+  static constexpr const char* kForEver = "while :; do printf 0000000000000000; done";
+  TemporaryFolder folder_;
+  std::string path_ = getenv("PATH");
+};
+
+TEST_F(SerialLinesSound, FailsWhenTheRecorderLosesSamples) {
+  have_recorder_say("overrun!!! (at least 300.000 ms long)", kForEver);
+  const auto lines = SerialLines::open({{"alsa:hw:1,0", 0, 16000.0}});
+  ASSERT_TRUE(lines) << to_string(lines.error());
+  const Error lost = failure(**lines);
+  EXPECT_EQ(lost.kind, ErrorKind::kSystem);
+  EXPECT_EQ(lost.what,
+            "samples of the microphone were lost: overrun!!! (at least 300.000 ms long)");
+  EXPECT_EQ(lost.where, "alsa:hw:1,0");
+  EXPECT_EQ(somato::bytes_of(folder_.file("arguments")),
+            "C -D hw:1,0 -t raw -f S16_LE -c 1 -r 16000\n");
+  // Opened again, it is another recorder.
+  have_recorder_say("Recording raw data", "printf abcd; sleep 100");
+  ASSERT_TRUE((*lines)->reopen(0));
+  std::array<std::uint8_t, 8> read{};
+  std::size_t count = 0;
+  while (count == 0) {
+    (*lines)->wait((*lines)->now() + 60.0);
+    const auto arrived = (*lines)->read(0, read);
+    ASSERT_TRUE(arrived) << to_string(arrived.error());
+    count = *arrived;
+  }
+  EXPECT_EQ(read[0], 'a');
+}
+
+TEST_F(SerialLinesSound, SaysThatTheDeviceIsInUse) {
+  have_recorder_say("arecord: main:850: audio open error: Device or resource busy", "exit 1");
+  const auto lines = SerialLines::open({{"alsa:hw:1,0", 0, 16000.0}});
+  ASSERT_TRUE(lines) << to_string(lines.error());
+  const Error busy = failure(**lines);
+  EXPECT_EQ(busy.what,
+            "the sound device is in use: arecord: main:850: audio open error: Device or resource "
+            "busy");
+  EXPECT_EQ(busy.advice, "end the program that uses it; 'fuser -v /dev/snd/*' names it");
 }
 
 // A stopped hand holds at the pace of its period although its sensors have hung up.

@@ -29,7 +29,8 @@ std::string wav(std::uint32_t rate, std::uint32_t channels, const std::string& s
   return "RIFF" + little(static_cast<std::uint32_t>(rest.size()), 4) + rest;
 }
 
-std::string received(const Descriptor& from, std::size_t count) {
+std::string received(const SoundSource& source, std::size_t count) {
+  const Descriptor& from = source.samples;
   std::string all;
   while (all.size() < count) {
     pollfd polled{from.number(), POLLIN, 0};
@@ -57,11 +58,48 @@ TEST(SoundSource, RefusesOtherFiles) {
     const auto opened = open_sound("wav:" + folder.with("a.wav", bytes), 8192.0);
     return opened ? "none" : opened.error().what;
   };
-  EXPECT_EQ(error("RIFF"), "this is no whole WAV file");
+  EXPECT_EQ(error("RIFF"), "it is not a WAV file");
   EXPECT_EQ(error(wav(44100, 1, "abcd")), "the file has 44100 samples per second, not 8192");
-  EXPECT_EQ(error(wav(8192, 2, "abcd")), "the file has 2 channels of 16 bits");
+  EXPECT_EQ(error(wav(8192, 2, "abcd")), "the file has 2 channels, not one");
   EXPECT_EQ(open_sound("tape:deck", 8192.0).error().what, "this is no source of sound");
   EXPECT_EQ(open_sound("raw:" + folder.path() + "/no", 8192.0).error().kind, ErrorKind::kSystem);
+}
+
+TEST(SoundSource, PlaysFilesWhoseSizeTheirWriterDidNotKnow) {
+  const TemporaryFolder folder;
+  const std::string samples = little(1, 2) + little(65535, 2) + little(4660, 2);
+  std::string bytes = wav(8192, 1, samples);
+  bytes.replace(bytes.size() - samples.size() - 4, 4, little(0xFFFFFFFF, 4));
+  const auto opened = open_sound("wav:" + folder.with("a.wav", bytes), 8192.0);
+  ASSERT_TRUE(opened) << to_string(opened.error());
+  EXPECT_EQ(received(*opened, samples.size()), samples);
+  bytes.replace(bytes.size() - samples.size() - 4, 4, little(1000, 4));
+  EXPECT_FALSE(open_sound("wav:" + folder.with("torn.wav", bytes), 8192.0));
+}
+
+// The messages of alsa-utils 1.2.8.
+TEST(SoundSource, UnderstandsALSAsRecorder) {
+  const auto fault = [](std::string_view words) {
+    const auto found = fault_in_words(words, "alsa:hw:1,0");
+    return found ? found->what : "none";
+  };
+  EXPECT_EQ(fault(""), "none");
+  EXPECT_EQ(
+      fault("Recording raw data 'stdin' : Signed 16 bit Little Endian, Rate 16000 Hz, Mono\n"),
+      "none");
+  EXPECT_EQ(
+      fault("Recording raw data 'stdin'\nWarning: rate is not accurate (requested = 16000Hz, "
+            "got = 44100Hz)\n         please, try the plug plugin\n"),
+      "the sound device has another rate: Warning: rate is not accurate (requested = 16000Hz, "
+      "got = 44100Hz)");
+  EXPECT_EQ(fault("Recording\noverrun!!! (at least 300.000 ms long)\n"),
+            "samples of the microphone were lost: overrun!!! (at least 300.000 ms long)");
+  EXPECT_EQ(fault("arecord: main:850: audio open error: Device or resource busy\n"),
+            "the sound device is in use: arecord: main:850: audio open error: Device or resource "
+            "busy");
+  EXPECT_EQ(ended_sound("a\narecord: main:850: audio open error: No such device\n", "alsa:x").what,
+            "the recorder has ended: arecord: main:850: audio open error: No such device");
+  EXPECT_EQ(ended_sound("", "alsa:x").what, "the sound has ended");
 }
 
 TEST(SoundSource, ReadsSamplesWithoutAHeader) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -118,6 +119,36 @@ TEST(AnySkinFrame, RejectsImplausibleValues) {
       EXPECT_EQ(decoded_anyskin(decoder, bytes).size(), 1U) << place << " " << value;
     }
   }
+}
+
+// A dead magnetometer is no reading of 0, and one without a number does not cost the others.
+TEST(AnySkinFrame, KnowsMagnetometersWithoutAReading) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<std::vector<float>> dead{{0.0F, 0.0F, 0.0F, 0.0F},
+                                             {25.0F, 0.0F, -0.0F, 0.0F},
+                                             {25.0F, nan, nan, nan},
+                                             {nan, nan, nan, nan}};
+  for (const std::vector<float>& one : dead) {
+    std::vector<float> values{24.0F, 1.0F, 2.0F, 3.0F};
+    values.insert(values.end(), one.begin(), one.end());
+    AnySkinDecoder decoder(2);
+    const auto read =
+        decoded_anyskin(decoder, joined({encoded_anyskin(values), encoded_anyskin(values)}));
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_EQ(read[0][3], 3.0F);
+    for (const std::size_t axis : {5U, 6U, 7U}) EXPECT_TRUE(std::isnan(read[0][axis]));
+  }
+}
+
+TEST(AnySkinFrame, SaysWhichValueItRejected) {
+  const Frame good = encoded_anyskin({24.0F, 1.0F, 2.0F, 3.0F});
+  AnySkinDecoder decoder(1);
+  EXPECT_EQ(decoder.complaint(), "");
+  decoded_anyskin(decoder, joined({{1, 2, 3}, good, good}));
+  EXPECT_EQ(decoder.complaint(), "no frame of 18 bytes stood between two CR LF");
+  decoded_anyskin(decoder,
+                  joined({good, encoded_anyskin({24.0F, 1.0F, 60'000.0F, 3.0F}), good, good}));
+  EXPECT_EQ(decoder.complaint(), "in the last frame the field y of magnetometer 1 was 60000");
 }
 
 TEST(AnySkinFrame, AcceptsTheLimitsThemselves) {

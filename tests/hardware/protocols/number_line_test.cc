@@ -42,6 +42,7 @@ std::vector<float> read_line(std::string_view text) {
 TEST(NumberLine, WritesNumbers) {
   EXPECT_EQ(encoded_line({1.0F, -0.5F, 0.1F}), "1,-0.5,0.1\n");
   EXPECT_EQ(encoded_line({1023.0F}), "1023\n");
+  EXPECT_EQ(encoded_line({1.0F, std::numeric_limits<float>::quiet_NaN()}), "1,nan\n");
 }
 
 TEST(NumberLine, ReadsNumbersAsSketchesPrintThem) {
@@ -53,15 +54,48 @@ TEST(NumberLine, ReadsNumbersAsSketchesPrintThem) {
 
 TEST(NumberLine, RejectsEverythingElse) {
   for (const std::string_view line :
-       {"1,2\n", "1,2,3,4\n", "1,2,3,\n", ",1,2\n", "1,,3\n", "1,2,x\n", "1,2,3x\n", "1 2,3,4\n",
-        "1;2;3\n", "nan,1,2\n", "1,inf,2\n", "1e40,2,3\n", "0x1,2,3\n", "+1,2,3\n", "1,2,3\r\r\n",
-        "--1,2,3\n", "touch: 1,2,3\n", "1,2,-\n", "1e,2,3\n"}) {
+       {"1,2\n", "1,2,3,4\n", ",1,2\n", "1,,3\n", "1,2,x\n", "1,2,3x\n", "1 2,3,4\n", "1,5;2\n",
+        "1e40,2,3\n", "0x1,2,3\n", "--1,2,3\n", "touch: 1,2,3\n", "1,2,-\n", "1e,2,3\n"}) {
     NumberLineDecoder decoder(3);
     EXPECT_EQ(lines_in(decoder, "\n"), 0U);
     EXPECT_EQ(lines_in(decoder, line), 0U) << line;
     EXPECT_EQ(decoder.rejected(), 1U) << line;
   }
-  EXPECT_TRUE(read_line("1,2,3" + std::string(80, ' ') + "\n").empty());
+  EXPECT_TRUE(read_line("1,2,3" + std::string(300, ' ') + "\n").empty());
+}
+
+TEST(NumberLine, EndsWithEveryUsualEnd) {
+  for (const std::string end : {"\n", "\r\n", "\r", "\n\r", "\r\r\n"}) {
+    NumberLineDecoder decoder(2);
+    EXPECT_EQ(lines_in(decoder, end + "1,2" + end + "3,4" + end), 2U);
+    EXPECT_EQ(decoder.values()[1], 4.0F);
+    EXPECT_EQ(decoder.rejected(), 0U);
+  }
+}
+
+TEST(NumberLine, QuotesTheLineThatItRejected) {
+  NumberLineDecoder decoder(3);
+  EXPECT_EQ(decoder.complaint(), "");
+  lines_in(decoder, "ets Jun  8");
+  EXPECT_EQ(decoder.complaint(), "10 characters arrived without an end of line: 'ets Jun  8'");
+  lines_in(decoder, "\r\n");
+  EXPECT_EQ(decoder.complaint(), "");
+  EXPECT_EQ(decoder.last_line(), "ets Jun  8");
+  lines_in(decoder, "5,205,300,7\r\n1,2,3\r\n");
+  EXPECT_EQ(decoder.complaint(), "the last line was '5,205,300,7': 4 fields instead of 3");
+  EXPECT_EQ(decoder.last_line(), "1,2,3");
+  lines_in(decoder, "\x01\xFF\t7\n");
+  EXPECT_EQ(decoder.complaint(), "the last line was '\\x01\\xff\\t7': 2 fields instead of 3");
+  lines_in(decoder, std::string(300, '1') + "\n");
+  EXPECT_EQ(decoder.complaint(),
+            "the last line was '" + std::string(80, '1') + "...': more than 256 characters");
+}
+
+TEST(NumberLine, PlacesNumbersByName) {
+  NumberLineDecoder decoder(2, {{"left", 0}, {"right", 1}});
+  EXPECT_EQ(lines_in(decoder, "\nRight:2,Left:1\n"), 1U);
+  EXPECT_EQ(decoder.values()[0], 1.0F);
+  EXPECT_EQ(decoder.values()[1], 2.0F);
 }
 
 TEST(NumberLine, SkipsEmptyLines) {

@@ -204,6 +204,33 @@ TEST(SensorFrame, AcceptsNoDamagedFrameAndLosesNoWholeOne) {
   EXPECT_GT(stream.accepted(), 17'000U);
 }
 
+TEST(SensorFrame, MarksMissingValuesOfFloats) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<float> values{1.0F, nan, 3.0F};
+  SensorFrameDecoder decoder(3);
+  ASSERT_EQ(decoded(decoder, encoded_sensor_frame({0, 0, SensorValueType::kFloat32, values})), 1U);
+  EXPECT_EQ(decoder.frame().values[0], 1.0F);
+  EXPECT_TRUE(std::isnan(decoder.frame().values[1]));
+  EXPECT_THROW(encoded_sensor_frame({0, 0, SensorValueType::kInt16, values}), InvalidArgument);
+}
+
+TEST(SensorFrame, SaysWhyAFrameWasRejected) {
+  const std::vector<float> four{1.0F, 2.0F, 3.0F, 4.0F};
+  SensorFrameDecoder decoder(3);
+  EXPECT_EQ(decoder.complaint(), "");
+  decoded(decoder, encoded_sensor_frame({0, 0, SensorValueType::kInt16, four}));
+  EXPECT_EQ(decoder.complaint(), "the last frame had 19 bytes instead of 17 or 23 for 3 values");
+  decoded(decoder, encoded_sensor_frame({0, 0, SensorValueType::kFloat32, four}));
+  EXPECT_EQ(decoder.complaint(), "the last frame had 27 bytes instead of 17 or 23 for 3 values");
+  Bytes wrong =
+      encoded_sensor_frame({0x0101, 0x01010101, SensorValueType::kInt16, std::span(four).first(3)});
+  wrong[4] ^= 2;
+  decoded(decoder, wrong);
+  EXPECT_EQ(decoder.complaint(), "the last frame had a wrong checksum");
+  decoded(decoder, Bytes{0, 9, 9, 0});
+  EXPECT_EQ(decoder.complaint(), "the last frame was cut after 1 bytes");
+}
+
 TEST(SensorFrame, RefusesImpossibleFrames) {
   Bytes bytes(5000);
   const float infinite = std::numeric_limits<float>::infinity();

@@ -57,8 +57,35 @@ TEST_F(RecordingFiles, InspectSummarizesTheContent) {
                 "label \"object\": \"cup\" 2, \"ball\" 1\n"
                 "label \"trial\": \"1\" 2, \"2\" 1\n"
                 "channel \"joints\": 2 \"deg\", 50 Hz, 3 to 10 frames an exploration\n"
+                "  2 of 2 elements never changed: \"a\", \"b\"\n"
                 "channel \"skin\": 2 x 3, with times, 2 frames an exploration\n"
                 "whole: yes\n");
+}
+
+TEST_F(RecordingFiles, InspectNamesDeadSensorsAndSeveralRates) {
+  const auto exploration = [](double rate) {
+    Channel skin{"skin", "uT", {"dead", "stuck", "good"}, Matrix<float>(5, 3), {}, rate};
+    for (std::size_t i = 0; i < 5; ++i) {
+      skin.frames(i, 1) = 2.5F;
+      skin.frames(i, 2) = static_cast<float>(i);
+    }
+    skin.valid = Matrix<std::uint8_t>(5, 3, 1);
+    skin.valid(0, 2) = 0;
+    return Exploration{{{"object", "cup"}}, "", {skin}};
+  };
+  ASSERT_TRUE(write_recording(path("a.mcap"), {{exploration(8000.0), exploration(44100.0)}}));
+  const std::string text = output_of({"inspect", "a.mcap"});
+  EXPECT_NE(text.find("channel \"skin\": 3 \"uT\", 8000 to 44100 Hz, 5 frames an exploration\n"
+                      "  1 of 3 elements always 0: \"dead\"\n"
+                      "  1 of 3 elements never changed: \"stuck\"\n"
+                      "  1 of 3 elements lacking 2 readings: \"good\"\n"),
+            std::string::npos)
+      << text;
+  const std::string json = output_of({"inspect", "a.mcap", "--json"});
+  for (const char* const part : {"\"always_zero\"", "\"dead\"", "\"unchanged\"", "\"stuck\"",
+                                 "\"missing_values\"", "\"least_rate\"", "\"most_rate\""}) {
+    EXPECT_NE(json.find(part), std::string::npos) << part << json;
+  }
 }
 
 TEST_F(RecordingFiles, InspectReportsTheFirstDamage) {

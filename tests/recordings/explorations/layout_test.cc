@@ -34,6 +34,16 @@ TEST(Layout, FramesGoTogetherOnlyWhenTheyDoInEveryExploration) {
   EXPECT_EQ(layout.channels[2].clock, "b");
 }
 
+TEST(Layout, HasTheRangeOfTheKnownRates) {
+  Recording recording{{with_frames(3, 3, 3), with_frames(3, 3, 3), with_frames(3, 3, 3)}};
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    recording.explorations[i].channels[0].rate = std::vector<double>{100.0, 80.0, 120.0}[i];
+  }
+  recording.explorations[1].channels[1].times = {0.0, 0.5, 1.0};
+  const RecordingLayout layout = layout_of(recording);
+  EXPECT_EQ(layout.rates, (std::vector<FrameRates>{{100.0, 80.0, 120.0}, {0.0, 2.0, 2.0}, {}}));
+}
+
 TEST(Layout, IsEmptyWithoutExplorations) {
   const RecordingLayout layout = layout_of({});
   EXPECT_TRUE(layout.channels.empty());

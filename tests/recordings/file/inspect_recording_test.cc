@@ -53,6 +53,21 @@ TEST(InspectRecording, CountsWhatReadingGives) {
   }
 }
 
+TEST(InspectRecording, FindsRangesOfRatesAndElements) {
+  const TemporaryFolder folder;
+  const auto exploration = [](double rate, std::vector<float> values) {
+    Channel channel{"sound", "", {}, Matrix<float>(2, 2, std::move(values)), {}, rate};
+    channel.valid = Matrix<std::uint8_t>(2, 2, std::vector<std::uint8_t>{1, 1, 1, 0});
+    return Exploration{{}, "", {channel}};
+  };
+  ASSERT_TRUE(write_recording(folder.file("a"), {{exploration(44100.0, {1, 2, 3, 0}),
+                                                  exploration(8000.0, {-1, 7, 5, 0})}}));
+  const ChannelSummary summary = inspect_recording(folder.file("a")).value().channels.at(0);
+  EXPECT_EQ(summary.least_rate, 8000.0);
+  EXPECT_EQ(summary.most_rate, 44100.0);
+  EXPECT_EQ(summary.ranges, (std::vector<ElementRange>{{-1.0F, 5.0F, 4, 0}, {2.0F, 7.0F, 2, 2}}));
+}
+
 TEST(InspectRecording, FailsForOtherFiles) {
   const TemporaryFolder folder;
   EXPECT_EQ(inspect_recording(folder.file("a")).error().kind, ErrorKind::kSystem);

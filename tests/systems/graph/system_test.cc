@@ -157,6 +157,27 @@ TEST(System, RefusesRatesClocksAndShapesThatDoNotFit) {
                  "system.toml:25, module 'm', port 'inputs'", "are not recorded together");
 }
 
+// Half of the lowest rate ends the bands of all, which a trained system keeps.
+TEST(System, SpectraOfSeveralRatesHaveCommonFrequencies) {
+  Recording recording = hand_recording(2, 1);
+  recording.explorations[1].channels.back().rate = 80.0;
+  const auto rate_of = [&](const std::string& settings) -> std::string {
+    const auto system =
+        try_build(kChannels + module("frames", "window", "input = 'sound'\nlength = 8") +
+                      module("m", "spectrum", "input = 'frames'\n" + settings),
+                  recording);
+    if (!system) return to_string(system.error());
+    const Table::Entry* entry = system->description().modules.back().settings.find("rate");
+    if (entry == nullptr) return "none";
+    return to_toml(std::get<Value>(entry->content));
+  };
+  EXPECT_EQ(rate_of(""), "80.0");
+  EXPECT_EQ(rate_of("bands = 0\nsegment_length = 8"), "80.0");
+  EXPECT_EQ(rate_of("high = 30"), "none");
+  EXPECT_EQ(rate_of("rate = 60"), "60");
+  EXPECT_NE(rate_of("high = 30\nrate = 60").find("'rate' has no effect"), std::string::npos);
+}
+
 TEST(System, RefusesOutputsAndMapsThatAreTooLarge) {
   const std::string wide =
       module("wide", "one_hot", "input = \"touch\"\nlow = 0\nhigh = 1\nelements = 1048576");

@@ -332,6 +332,34 @@ TEST(Spectrum, RefusesBandsAboveHalfTheFrameRate) {
   EXPECT_NE(complaint(Spectrum(parameters).apply(frames, 50.0)), "");
 }
 
+TEST(Spectrum, OfFramesAtSeveralRatesHasTheSameBandsWithACommonRate) {
+  SpectrumParameters parameters;
+  parameters.bands = 20;
+  const auto band_at = [&](double rate) {
+    const auto found = Spectrum(parameters).apply(sine(700.0, rate, 8192), rate);
+    return found ? greatest_place(found->to_dense()) : 999;
+  };
+  EXPECT_EQ(band_at(8000.0), 3U);
+  EXPECT_EQ(band_at(44100.0), 0U);
+  parameters.rate = 8000.0;
+  for (const double rate : {7700.0, 8000.0, 8300.0, 16000.0, 44100.0}) {
+    EXPECT_EQ(band_at(rate), 3U) << rate;
+  }
+  EXPECT_EQ(complaint(Spectrum(parameters).apply(sine(1000.0, 7500.0, 8192), 7500.0)),
+            "frames at 7500 Hz have other frequencies than those at 8000 Hz");
+}
+
+TEST(Spectrum, BinsOfAnotherRateAreRefused) {
+  SpectrumParameters parameters = every_bin(64);
+  parameters.rate = 8000.0;
+  for (const double rate : {7700.0, 8000.0, 8300.0}) {
+    EXPECT_TRUE(Spectrum(parameters).apply(sine(1000.0, rate, 640), rate)) << rate;
+  }
+  for (const double rate : {4000.0, 7500.0, 8500.0, 44100.0}) {
+    EXPECT_NE(complaint(Spectrum(parameters).apply(sine(1000.0, rate, 640), rate)), "") << rate;
+  }
+}
+
 TEST(Spectrum, RefusesAnUnknownRateOnlyForBands) {
   const Matrix<float> frames(64, 1);
   for (const double rate : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
