@@ -24,8 +24,8 @@ using devices::DeviceIo;
 using devices::SensorOrigin;
 using devices::ServoReport;
 
-constexpr double kListening = 2.0;    // s
-constexpr double kLateSamples = 0.6;  // s; blocks of ALSA take up to 0.5 s
+constexpr double kListening = 2.0;     // s
+constexpr double kLateSamples = 0.35;  // s; ALSA's recorder writes blocks of 0.125 s
 
 // The traffic of the lines while they are polled for a time.
 struct Traffic {
