@@ -295,9 +295,11 @@ Result<void> explore_into(GrowingRecording& file, const Request& request) {
   }
   if (recorded == 0) return fail(std::move(outcome.error()));
   SOMATO_TRY_VOID(file.finish());
-  print_summary(
-      fmt::format("{}: {} of {}, {}\n{}", request.output, counted(recorded, "exploration"),
-                  counted(request.things().size(), "thing"), spread.text(), ranges.text()));
+  // A simulated taxel that nothing touches is exactly 0, and not dead.
+  const std::string still = request.real ? ranges.text() : std::string();
+  print_summary(fmt::format("{}: {} of {}, {}\n{}", request.output,
+                            counted(recorded, "exploration"),
+                            counted(request.things().size(), "thing"), spread.text(), still));
   if (outcome) return judge(request, *outcome);
   outcome.error().advice = saved_text(file);
   return fail(std::move(outcome.error()));
