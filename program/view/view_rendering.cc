@@ -13,6 +13,7 @@
 #include "base/files/whole_file.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
+#include "view/demonstrated_recording.h"
 #include "view/film.h"
 #include "view/headless_browser.h"
 #include "view/view_serving.h"
@@ -28,19 +29,28 @@ constexpr std::size_t kHeight = 900;
 constexpr double kLongestPause = 1.0;  // s, between two moments, as in the view
 
 // The page requests the curves up to a moment that it jumps to.
-constexpr const char* kHasCurves =
-    " && performance.getEntriesByType(\"resource\").some(({ name }) => "
-    "name.includes(\"/api/strips\"))";
+constexpr const char* kHasCurves = " && document.documentElement.dataset.curves === \"true\"";
 
 bool is_film(const std::string& path) {
   return path.ends_with(".webm");
 }
 
-// The index of --exploration, which counts from 1.
-Result<std::size_t> read_exploration(const Arguments& arguments, const Recording& recording) {
+// The recording to be drawn, and the index in it of --exploration, which counts from 1. That of a
+// demonstration has the one exploration.
+struct Drawn {
+  ViewSource source;
+  std::size_t exploration = 0;
+};
+
+Result<Drawn> read_drawn(const Arguments& arguments, ViewSource source) {
   SOMATO_TRY(const auto number, arguments.number("exploration", 1));
-  const std::size_t count = recording.explorations.size();
-  if (number.value_or(1) <= count) return number.value_or(1) - 1;
+  const std::size_t index = number.value_or(1) - 1;
+  if (source.demonstrates) {
+    SOMATO_TRY(auto recording, demonstrated_recording(std::move(source), index));
+    return Drawn{std::move(recording), 0};
+  }
+  const std::size_t count = source.recording.explorations.size();
+  if (index < count) return Drawn{std::move(source), index};
   return fail(ErrorKind::kUsage, "the recording has " + counted(count, "exploration"),
               "--exploration");
 }
@@ -143,10 +153,11 @@ Result<void> save_picture(PicturedView& view, std::size_t moment, const std::str
 
 std::vector<Flag> rendering_flags() {
   return {
-      output_flag("--render",
-                  "Save an exploration of the recording as it stands in the view, without a "
-                  "window: a film (.webm), or a picture of its strongest touch (.png); requires "
-                  "the programs chromium and, for films, vpxenc"),
+      output_flag(
+          "--render",
+          "Save an exploration of the recording or of --demo as it stands in the view, "
+          "without a window: a film (.webm), or a picture of its strongest touch (.png); requires "
+          "the programs chromium and, for films, vpxenc"),
       {"--exploration", "With --render: number of the exploration, from 1. Default: 1"}};
 }
 
@@ -155,8 +166,8 @@ Result<void> check_rendering(const Arguments& arguments) {
     if (!arguments.has("exploration")) return {};
     return fail(ErrorKind::kUsage, "has no effect without --render", "--exploration", "omit it");
   }
-  for (const std::string flag : {"demo", "body", "device", "topics", "open", "port", "address"}) {
-    if (!arguments.has(flag)) continue;
+  for (const std::string flag : {"body", "device", "topics", "output", "open", "port", "address"}) {
+    if (!arguments.has(flag) || (flag == "body" && arguments.has("demo"))) continue;
     return fail(ErrorKind::kUsage, "has no effect with --render", "--" + flag,
                 "record the explorations first, with somato explore");
   }
@@ -167,19 +178,19 @@ Result<void> check_rendering(const Arguments& arguments) {
 
 Result<void> render_view(const Arguments& arguments, ViewSource source) {
   const std::string path = arguments.text("render");
-  SOMATO_TRY(const auto index, read_exploration(arguments, source.recording));
-  const Exploration& exploration = source.recording.explorations[index];
-  const auto moments = film_moments(exploration);
-  const std::size_t moment = picture_moment(exploration);
   SOMATO_TRY(auto pages, view_pages());
   catch_stop_requests();
-  ViewSession session(std::move(source), {false, 1.0});
+  SOMATO_TRY(auto drawn, read_drawn(arguments, std::move(source)));
+  const Exploration& exploration = drawn.source.recording.explorations[drawn.exploration];
+  const auto moments = film_moments(exploration);
+  const std::size_t moment = picture_moment(exploration);
+  ViewSession session(std::move(drawn.source), {false, 1.0});
   session.start();
   SOMATO_TRY_VOID(session.command(R"({"command":"pause"})"));
   SOMATO_TRY(const auto server, ViewServer::start(session, std::move(pages)));
   SOMATO_TRY(auto browser,
              HeadlessBrowser::open(server->start_address() + "&picture", kWidth, kHeight));
-  PicturedView view(session, std::move(browser), index);
+  PicturedView view(session, std::move(browser), drawn.exploration);
   return is_film(path) ? save_film(view, moments, path) : save_picture(view, moment, path);
 }
 

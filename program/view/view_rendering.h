@@ -15,9 +15,10 @@ std::vector<Flag> rendering_flags();
 /// without effect.
 Result<void> check_rendering(const Arguments& arguments);
 
-/// Draws an exploration of the source as it stands in the view, without a window, and saves it: a
-/// film, or a picture of its strongest touch. Errors: kUsage without such an exploration; those of
-/// the server, HeadlessBrowser and Film; kInterrupted.
+/// Draws an exploration of the source, a recording or a demonstration, as it stands in the view,
+/// without a window, and saves it: a film, or a picture of its strongest touch. Errors: kUsage
+/// without such an exploration; those of demonstrated_recording(), the server, HeadlessBrowser and
+/// Film; kInterrupted.
 Result<void> render_view(const Arguments& arguments, ViewSource source);
 
 }  // namespace somato::program

@@ -34,7 +34,10 @@ Result<std::vector<ViewPage>> view_pages() {
 
 std::vector<Flag> server_flags() {
   return {
-      {"--port", "Port of the page. Default: any free port"},
+      {"--port",
+       "Port of the page, also the local one of a tunnel: ssh -L PORT:localhost:PORT HOST. "
+       "Default: "
+       "any free port"},
       {"--address", "Numeric IP address to listen on. Default: 127.0.0.1"},
       {"--allow-others",
        "Permit an --address that other machines can reach: anyone who has the start address can "

@@ -27,7 +27,21 @@ HttpAccess::HttpAccess(std::vector<std::string> hosts, std::string token)
 HttpResult<void> HttpAccess::check_host(const HttpRequest& request) const {
   const auto host = request.header("host");
   if (host && std::find(hosts_.begin(), hosts_.end(), *host) != hosts_.end()) return {};
-  return refuse(403, "The Host header does not match the address of this server.");
+  return refuse(403, "The Host header does not match the address of this server. " + advice());
+}
+
+// A tunnel ends at this machine, where a server at another address is not reached by it.
+std::string HttpAccess::advice() const {
+  constexpr std::string_view kLocal = "localhost:";
+  for (const std::string& host : hosts_) {
+    if (!host.starts_with(kLocal)) continue;
+    const std::string port = host.substr(kLocal.size());
+    return fmt::format(
+        "Through a tunnel, forward the port under the same number: ssh -L {0}:localhost:{0} HOST, "
+        "and open http://{1}/ with the token that the program printed.",
+        port, host);
+  }
+  return hosts_.empty() ? "" : fmt::format("Open http://{}/ instead.", hosts_.front());
 }
 
 HttpResult<void> HttpAccess::check_origin(const HttpRequest& request) const {

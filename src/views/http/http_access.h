@@ -24,7 +24,8 @@ class HttpAccess {
   /// them; pages that they serve are our own.
   HttpAccess(std::vector<std::string> hosts, std::string token);
 
-  /// Refuses (403) another host, or none; and with POST another origin, or none.
+  /// Refuses (403) another host, or none, and says how a tunnel reaches the server; and with POST
+  /// another origin, or none.
   HttpResult<void> check_host(const HttpRequest& request) const;
   HttpResult<void> check_origin(const HttpRequest& request) const;
 
@@ -33,6 +34,8 @@ class HttpAccess {
   HttpResult<void> check_token(const HttpRequest& request) const;
 
  private:
+  std::string advice() const;
+
   std::vector<std::string> hosts_;
   std::string token_;
 };

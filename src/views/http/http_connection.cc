@@ -1,5 +1,7 @@
 #include "views/http/http_connection.h"
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -61,20 +63,31 @@ HttpResult<HttpRequest> HttpConnection::read(const HttpLimits& limits) {
   return request;
 }
 
+// A slow line takes long for a large part, but some of it within the patience.
 bool HttpConnection::send_all(std::string_view bytes) const {
-  const auto until = Clock::now() + patience_;
+  auto until = Clock::now() + patience_;
   while (!bytes.empty()) {
     if (!wait(POLLOUT, until)) return false;
     const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
     if (count < 0 && errno != EINTR && errno != EAGAIN) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (count <= 0) continue;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+    until = Clock::now() + patience_;
   }
   return true;
+}
+
+// The parts of a stream do not wait in the buffer of the system, which takes megabytes: a part is
+// written when the one before has left. Only TCP has the option.
+void HttpConnection::keep_buffer_empty() const {
+  constexpr int kMostUnsent = 1;  // bytes
+  ::setsockopt(socket_, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kMostUnsent, sizeof kMostUnsent);
 }
 
 bool HttpConnection::write(const HttpResponse& response, bool head_only) {
   bool taken = send_all(head_of(response));
   if (taken && !head_only && response.stream) {
+    keep_buffer_empty();
     response.stream([this](std::string_view part) { return send_all(part); });
   } else if (taken && !head_only) {
     taken = send_all(response.body);

@@ -14,7 +14,8 @@ class HttpConnection {
  public:
   using Duration = std::chrono::milliseconds;
 
-  /// `patience` is how long a request may take as a whole, and any part of a response.
+  /// `patience` is how long a request may take as a whole, and how long a client may take nothing
+  /// of a response.
   HttpConnection(int socket, Duration patience);
   HttpConnection(const HttpConnection&) = delete;
   HttpConnection(HttpConnection&&) = delete;
@@ -39,6 +40,7 @@ class HttpConnection {
   bool wait(short event, Clock::time_point until) const;
   bool receive(std::string& bytes, Clock::time_point until) const;
   bool send_all(std::string_view bytes) const;
+  void keep_buffer_empty() const;
   void leave() const;
 
   int socket_;

@@ -27,6 +27,11 @@ namespace {
 
 constexpr auto kBetweenPings = std::chrono::milliseconds(2000);
 
+// A viewer that acknowledges is asked more often than the second from which a page shows the age of
+// what it shows, and receives no more events than screens show pictures.
+constexpr auto kBetweenQuestions = std::chrono::milliseconds(500);
+constexpr auto kBetweenPictures = std::chrono::milliseconds(16);
+
 std::string_view name_of(EventKind kind) {
   switch (kind) {
     case EventKind::kState:
@@ -39,6 +44,17 @@ std::string_view name_of(EventKind kind) {
       break;
   }
   return "frame";
+}
+
+std::string event_text(std::string_view name, std::string_view data) {
+  return fmt::format("event: {}\ndata: {}\n\n", name, data);
+}
+
+// The end of what is to be acknowledged; repeated until it is.
+std::string question_text(const EventHub::Handed& handed) {
+  const std::chrono::duration<double> waited = handed.waited;
+  return event_text("ping", fmt::format(R"({{"viewer":{},"number":{},"waited":{:.4f}}})",
+                                        handed.viewer, handed.number, waited.count()));
 }
 
 HttpResponse json_response(std::string body, int status = 200) {
@@ -136,6 +152,7 @@ class ViewServer::Impl {
     const auto allowed =
         access_->check_origin(request).and_then([&] { return access_->check_token(request); });
     if (!allowed) return response_of(allowed.error());
+    if (request.path == "/api/seen") return seen(request);
     if (request.path != "/api/command") return refused(404, "Unknown path for POST.");
     if (request.header("content-type") != "application/json") {
       return refused(415, "Commands must have the content type application/json.");
@@ -160,8 +177,9 @@ class ViewServer::Impl {
     if (request.path == "/api/system") {
       return file_response(session_.system_file(), "system.somato");
     }
-    if (request.path == "/api/events") return events();
+    if (request.path == "/api/events") return events(request);
     if (request.path == "/api/command") return refused(405, "Commands require POST.");
+    if (request.path == "/api/seen") return refused(405, "Acknowledgements require POST.");
     return refused(404, "Not found.");
   }
 
@@ -185,9 +203,10 @@ class ViewServer::Impl {
   }
 
   // The subscription ends with the stream, also with one that never began.
-  HttpResponse events() {
-    const std::shared_ptr<EventHub::Subscription> subscription =
-        session_.hub().subscribe(settings_.viewers);
+  HttpResponse events(const HttpRequest& request) {
+    const bool acknowledges = request.parameter("acknowledge").has_value();
+    const std::shared_ptr<EventHub::Subscription> subscription = session_.hub().subscribe(
+        settings_.viewers, acknowledges ? EventHub::Flow::kAcknowledged : EventHub::Flow::kFree);
     if (!subscription) return refused(503, "Too many viewers are connected; try again later.");
     HttpResponse response;
     response.type = "text/event-stream";
@@ -197,13 +216,25 @@ class ViewServer::Impl {
     return response;
   }
 
+  HttpResponse seen(const HttpRequest& request) {
+    const auto viewer = number_in(request, "viewer");
+    const auto number = number_in(request, "number");
+    if (!viewer || !number) {
+      return refused(400, "The parameters viewer=NUMBER and number=NUMBER are required.");
+    }
+    if (session_.hub().acknowledge(*viewer, *number)) return json_response(R"({"ok":true})");
+    return refused(400, "No viewer with this number receives events.");
+  }
+
   static void send(EventHub::Subscription& subscription, const HttpResponse::Write& write) {
-    while (const auto events = subscription.next(kBetweenPings)) {
-      if (events->empty() && !write("event: ping\ndata: {}\n\n")) return;
-      for (const auto& [kind, text] : *events) {
-        const std::string event = fmt::format("event: {}\ndata: {}\n\n", name_of(kind), *text);
-        if (!write(event)) return;
-      }
+    const bool asks = subscription.flow() == EventHub::Flow::kAcknowledged;
+    while (const auto events = subscription.next(asks ? kBetweenQuestions : kBetweenPings)) {
+      std::string part;
+      for (const auto& [kind, text] : *events) part += event_text(name_of(kind), *text);
+      if (asks) part += question_text(subscription.handed());
+      if (part.empty()) part = event_text("ping", "{}");
+      if (!write(part)) return;
+      if (asks) subscription.rest(kBetweenPictures);
     }
   }
 

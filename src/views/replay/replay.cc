@@ -126,7 +126,9 @@ void Replay::show_between(const BodyStep& step) {
 
 void Replay::publish(const ShownMoment& shown) {
   const Reading* reading = reader_.read(shown.last || !pace_.playing);
-  hub_.publish(EventKind::kFrame, frame_text(shown, reader_.model(), reading));
+  std::string text = frame_text(shown, reader_.model(), reading);
+  if (shown.last) return hub_.publish_end(std::move(text));
+  hub_.publish(EventKind::kFrame, std::move(text));
 }
 
 double Replay::pause() const {

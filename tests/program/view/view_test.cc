@@ -132,11 +132,15 @@ TEST_F(View, SavesWhatABodyExplores) {
 
 TEST_F(View, RefusesPicturesThatItCannotDraw) {
   record();
-  expect_refused(2, {{{"view", "pressed.mcap", "--render", "out.gif"}, {"out.gif", ".webm"}},
-                     {{"view", "pressed.mcap", "--exploration", "2"}, {"--exploration"}},
-                     {{"view", "--demo", "--render", "out.png"}, {"--demo", "--render"}},
-                     {{"view", "pressed.mcap", "--exploration", "9", "--render", "out.png"},
-                      {"--exploration", "8 explorations"}}});
+  expect_refused(
+      2, {{{"view", "pressed.mcap", "--render", "out.gif"}, {"out.gif", ".webm"}},
+          {{"view", "pressed.mcap", "--exploration", "2"}, {"--exploration"}},
+          {{"view", "--body", "lucs2", "--render", "out.png"}, {"--body", "--render"}},
+          {{"view", "--demo", "--render", "out.png", "-o", "out.mcap"}, {"--output", "--render"}},
+          {{"view", "--demo", "--body", "hardness", "--exploration", "99", "--render", "out.png"},
+           {"--exploration", "the demonstration has 8 explorations"}},
+          {{"view", "pressed.mcap", "--exploration", "9", "--render", "out.png"},
+           {"--exploration", "8 explorations"}}});
 }
 
 TEST_F(View, SaysWhichProgramsPicturesRequire) {
@@ -144,6 +148,8 @@ TEST_F(View, SaysWhichProgramsPicturesRequire) {
   ProgramWorld world;
   world.environment = {{"PATH", path("")}};
   expect_refused(1, {"view", "pressed.mcap", "--render", "out.png"},
+                 {"chromium", "apt-get install chromium"}, world);
+  expect_refused(1, {"view", "--demo", "--body", "hardness", "--render", "out.png"},
                  {"chromium", "apt-get install chromium"}, world);
 }
 

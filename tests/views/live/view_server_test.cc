@@ -193,6 +193,47 @@ TEST_F(ServerThread, SaysThatItIsStillThere) {
   EXPECT_EQ(checked_events(stream), (std::set<std::string>{"frame", "ping", "scene", "state"}));
 }
 
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+// A viewer behind any buffers: what it has not acknowledged is all that is under way.
+TEST_F(ServerThread, SendsTheLatestFrameOnceTheOneBeforeIsAcknowledged) {
+  const HttpClient viewer(viewing_.port());
+  viewer.send(get_request(viewing_.port(), viewing_.with_token("/api/events?acknowledge=1")));
+  const std::string question = R"("number":1,)";
+  std::string stream = viewer.receive_until(question);
+  ASSERT_TRUE(viewing_.session().command(R"({"command":"pause"})"));
+  for (int frame = 0; frame < 50; ++frame) {
+    ASSERT_TRUE(viewing_.session().command(
+        fmt::format(R"({{"command":"seek","exploration":1,"frame":{}}})", frame % 2)));
+  }
+  while (count_of(question, stream) < 3) stream += viewer.receive_until(question);
+  EXPECT_EQ(count_of("event: frame", stream), 1U);
+  EXPECT_EQ(count_of("event: state", stream), 1U);
+  const auto seen = [&](const std::string& query) {
+    return ask(viewing_.port(),
+               post_request(viewing_.port(), viewing_.with_token("/api/seen" + query), ""));
+  };
+  const std::string viewer_number = stream.substr(stream.find(R"("viewer":)") + 9, 1);
+  EXPECT_EQ(status_of(seen("?viewer=" + viewer_number + "&number=1")), 200);
+  const std::string latest = viewer.receive_until(R"("number":2,)");
+  EXPECT_EQ(count_of("event: frame", latest), 1U);
+  EXPECT_NE(latest.find(R"(event: frame)"
+                        "\n"
+                        R"(data: {"exploration":1,"frame":1,)"),
+            std::string::npos);
+  EXPECT_EQ(checked_events(stream + latest),
+            (std::set<std::string>{"frame", "ping", "scene", "state"}));
+  EXPECT_EQ(status_of(seen("?viewer=99&number=1")), 400);
+  EXPECT_EQ(status_of(seen("?viewer=1")), 400);
+  EXPECT_EQ(status_of(viewing_.get("/api/seen?viewer=1&number=1")), 405);
+}
+
 ViewSource source_that_has_learned() {
   ViewSource source = testing::hand_source(6);
   source.systems = {testing::view_system(testing::crossed_system())};

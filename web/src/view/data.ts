@@ -25,8 +25,23 @@ export interface Events {
   scene: Scene | null;
   frame: Frame;
   training: Training;
-  /** Sent if no other event was sent for 2 seconds. */
-  ping: Record<string, never>;
+  ping: Ping;
+}
+
+/**
+ * Sent if no other event was sent for 2 seconds. With ?acknowledge=1 it ends the events that are to
+ * be acknowledged by POST /api/seen?viewer=V&number=N, and is repeated until they are.
+ */
+export interface Ping {
+  /** The number of this viewer. */
+  viewer?: number;
+  /** The number of the events before this ping. */
+  number?: number;
+  /**
+   * Seconds for which they have waited for news, from the acknowledgement of those before or the
+   * start of the stream.
+   */
+  waited?: number;
 }
 
 /** The answer of each GET request, by its name. */
@@ -41,7 +56,7 @@ export interface Answers {
   strips: Strips | null;
 }
 
-/** The answer to a command. */
+/** The answer to a command or an acknowledgement. */
 export interface Done {
   ok: true;
 }

@@ -24,6 +24,7 @@ function start(place: HTMLElement): void {
     (text) => {
       const frame = JSON.parse(text) as Frame;
       model.draw(frame);
+      model.freshness.show();
       whole.dataset["shown"] = `${frame.exploration}:${frame.frame}`;
     },
     (work) => page.status.work(work),
@@ -33,14 +34,18 @@ function start(place: HTMLElement): void {
     (text) => model.training.set(JSON.parse(text) as Training),
     () => undefined,
   );
-  const connection = new Connection(server, {
+  const connection = new Connection(server, model.freshness, {
     link: (link) => model.link(link),
     state: (state) => model.state(state),
     scene: (scene) => model.scene(scene),
     frame: (text) => frames.take(text),
     training: (text) => trainings.take(text),
+    received: () => {
+      if (!frames.isWaiting) model.freshness.show();
+    },
   });
   connection.open(); // first: the program answers while the page is built
+  model.frame.watch(() => (whole.dataset["curves"] = String(model.history.isWhole)));
   const page = buildPage(place, model, () => connection.open());
   watchTheme(() => model.theme.set(model.theme.value + 1));
 }

@@ -34,6 +34,17 @@ describe("the frames that have been seen", () => {
     expect(history.rows("nothing")).toEqual([[], [], [], []]);
   });
 
+  test("are thinned out when a body explores for days", () => {
+    const history = new History();
+    const one = { ...frame(0, 0), frames: null, channels: { height: [1] } };
+    for (let index = 0; index < 10_000; index += 1) history.add({ ...one, frame: index, time: index / 10 });
+    const { times } = history;
+    expect(times.length).toBeLessThanOrEqual(2000);
+    expect(times.length).toBeGreaterThan(900);
+    expect([times[0], times.at(-1)]).toEqual([0, 999.9]);
+    expect(Math.max(...times.slice(1).map((time, i) => time - times[i]!))).toBeLessThan(2);
+  });
+
   test("are those of one exploration", () => {
     const history = new History();
     history.add(frame(0, 5));
@@ -165,6 +176,15 @@ describe("the poses between frames", () => {
     expect(motion.at(1200)[0]).toBe(1);
   });
 
+  test("arrive at once for the eye, as the skin shows the newest frame already", () => {
+    const motion = new PoseMotion();
+    motion.take(at(0, 0), 1000);
+    motion.take(at(1, 1), 1400);
+    expect(motion.at(1450)[0]).toBeCloseTo(0.5);
+    expect(motion.at(1500)[0]).toBe(1);
+    expect(motion.isMoving(1700)).toBe(true); // pictures are still counted
+  });
+
   test("jump with a jump", () => {
     const motion = new PoseMotion();
     motion.take(at(0, 0), 1000);
@@ -294,6 +314,13 @@ describe("the budget of drawing", () => {
     expect([budget.pause, budget.resolution]).toEqual([pause, resolution]);
     pictures(budget, now, 16, 10_000);
     expect([budget.pause, budget.resolution]).toEqual([30, 1]);
+  });
+
+  test("knows for how long a picture is seen", () => {
+    const budget = new DrawingBudget();
+    expect(budget.interval).toBeNull();
+    pictures(budget, 0, 125, 1200);
+    expect(budget.interval).toBe(125);
   });
 
   test("does not take a rest for slow drawing", () => {

@@ -20,6 +20,7 @@ const kTypes: Record<string, string> = {
 
 export class FakeServer {
   readonly commands: Command[] = [];
+  readonly seen: string[] = []; // the acknowledgements, as "viewer:number"
   readonly token = "a-token-of-the-tests";
   refusal: string | null = null; // what every command is answered with
   silent = false; // no pings
@@ -110,6 +111,10 @@ export class FakeServer {
       return json(response, 200, taxel(Number(url.searchParams.get("element"))));
     if (url.pathname === "/api/recording") return void response.end("a recording");
     if (url.pathname === "/api/system") return void response.end("a system");
+    if (url.pathname === "/api/seen") {
+      this.seen.push(`${url.searchParams.get("viewer")}:${url.searchParams.get("number")}`);
+      return json(response, 200, { ok: true });
+    }
     if (url.pathname === "/api/command") return this.take(await body(request), response);
     json(response, 404, { error: "Not found" });
   }
@@ -130,6 +135,7 @@ export class FakeServer {
       response.write(
         `event: frame\ndata: ${JSON.stringify(fakeFrame(this.frame.exploration, this.frame.frame))}\n\n`,
       );
+    response.write("event: ping\ndata: {}\n\n");
   }
 
   private take(text: string, response: ServerResponse): void {

@@ -50,6 +50,26 @@ describe("when things go wrong", () => {
     await view.renew(); // with the browser's own clock
   });
 
+  it("says by how much it is behind on a slow line", async () => {
+    await view.serve();
+    view.server.silent = true;
+    await view.renew();
+    await view.page.clock.install();
+    await view.page.goto(view.server.address);
+    await firstFrame(view.page);
+    const age = view.page.locator(".age");
+    view.server.send("ping", { viewer: 7, number: 1, waited: 0 });
+    await soon(() => view.server.seen).toEqual(["7:1"]);
+    await view.page.clock.fastForward(4000);
+    await soon(() => words(view.page, ".age")).toMatch(/^[4-9] s behind$/);
+    view.server.show(0, 12);
+    await frameShown(view.page, 12);
+    view.server.send("ping", { viewer: 7, number: 2, waited: 60 }); // it was sent just now
+    await soon(() => view.server.seen).toEqual(["7:1", "7:2"]);
+    await age.waitFor({ state: "hidden" });
+    await view.renew(); // with the browser's own clock
+  });
+
   it("says when its token is not the program's", async () => {
     await view.open();
     await view.page.goto(view.server.address.replace(view.server.token, "another"));

@@ -61,6 +61,27 @@ describe("a demonstration", () => {
   });
 });
 
+it("shows the body and the skin of the same frame", async () => {
+  await view.open();
+  const scene = view.page.locator(".scene[data-drawn]");
+  await soon(() => scene.count()).toBe(1);
+  await view.page.evaluate(() => {
+    const [whole, place] = [document.documentElement, document.querySelector<HTMLElement>(".scene")!];
+    const pairs: [string, string][] = [];
+    Object.assign(globalThis, { pairs });
+    // Called after the frame is drawn and before the browser shows anything of it.
+    new MutationObserver(() => {
+      pairs.push([whole.dataset["shown"] ?? "", place.dataset["frame"] ?? ""]);
+    }).observe(whole, { attributeFilter: ["data-shown"] });
+  });
+  for (const frame of [10, 11, 45, 46]) {
+    view.server.show(1, frame);
+    await frameShown(view.page, frame);
+  }
+  const pairs = await view.page.evaluate(() => (globalThis as unknown as { pairs: [string, string][] }).pairs);
+  expect(pairs).toEqual(["1:10", "1:11", "1:45", "1:46"].map((frame) => [frame, frame]));
+});
+
 it("goes back through a training with its slider", async () => {
   await view.open();
   view.server.change({ training: true });

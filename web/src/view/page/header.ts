@@ -4,6 +4,7 @@ import { element, fill } from "../../parts/dom";
 import { themeButton } from "../../parts/theme";
 import type { State } from "../data";
 import type { Model } from "../session/model";
+import { ageNote } from "./age_note";
 import { labelled } from "./transport";
 
 const kNone = "";
@@ -29,7 +30,7 @@ export function pageHeader(model: Model, { help, tour }: HeaderActions): HTMLEle
     if (state !== null) document.title = `${state.name} – Somato view`;
   });
   const tools = element("div", { class: "header-tools" }, [labelled("System", system), guide, themeButton(), more]);
-  return element("header", { class: "page-head" }, [element("h1", {}, ["Somato"]), source, live, tools]);
+  return element("header", { class: "page-head" }, [element("h1", {}, ["Somato"]), source, live, ageNote(model), tools]);
 }
 
 function sourceWords(state: State): (Node | string)[] {

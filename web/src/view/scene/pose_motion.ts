@@ -1,11 +1,13 @@
 // The poses between two frames: frames come several times per second, the screen is drawn more
 // often. Bodies move from the poses that are shown to those of the newest frame in the time that
-// passes between frames; they jump if the frame is not one that follows.
+// passes between frames, but at once for the eye, because the skin shows the newest frame already; they
+// jump if the frame is not one that follows.
 
 import type { NumberOrNull } from "../../parts/data";
 import type { Frame } from "../data";
 
-const kLongest = 400; // ms
+const kLongest = 400; // ms, of a movement
+const kTogether = 100; // ms, within which what is seen seems to happen at once
 const kNext = 60; // frames: more is a jump
 const kPoseLength = 7; // x, y, z, and the quaternion w, x, y, z
 
@@ -32,12 +34,14 @@ export class PoseMotion {
     this.last = moment;
   }
 
+  /** Until the next frame is expected: the budget of drawing counts the pictures of this time. */
   isMoving(now: number): boolean {
     return now < this.begun + this.lasting && this.from !== this.to;
   }
 
   at(now: number): readonly NumberOrNull[] {
-    const share = this.lasting > 0 ? (now - this.begun) / this.lasting : 1;
+    const lasting = Math.min(kTogether, this.lasting);
+    const share = lasting > 0 ? (now - this.begun) / lasting : 1;
     return share >= 1 ? this.to : mixed(this.from, this.to, Math.max(0, share));
   }
 }

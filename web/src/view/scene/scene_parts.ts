@@ -6,6 +6,7 @@ import {
   Color,
   Float32BufferAttribute,
   Group,
+  InstancedMesh,
   Matrix4,
   Mesh,
   type MeshLambertMaterial,
@@ -71,6 +72,7 @@ export class SceneParts {
   dispose(): void {
     this.root.traverse((part) => {
       if (!(part instanceof Mesh)) return;
+      if (part instanceof InstancedMesh) part.dispose();
       part.geometry.dispose();
       part.material.dispose();
     });

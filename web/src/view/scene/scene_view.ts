@@ -1,5 +1,6 @@
 // The hand in three dimensions. It is drawn only after a frame, a camera movement, or a change of
-// size or theme, and between frames while its bodies move.
+// size or theme, and between frames while its bodies move. A frame is drawn at once, so that it is seen
+// together with the skin of this frame.
 
 import {
   MeshBasicMaterial,
@@ -51,10 +52,11 @@ export class SceneView {
   private parts: SceneParts | null = null;
   private described: Scene | null = null;
   private share: Share = () => 0;
+  private frame = ""; // that is to be drawn
   private chosen: number | null = null;
   private isTransparent = false;
   private isAimed = false; // at the pads, once
-  private requested = false;
+  private requested = 0; // the animation frame; 0: none
   private resting = 0;
   private ready = false; // its shaders are compiled
   private size: [number, number] = [0, 0];
@@ -122,9 +124,11 @@ export class SceneView {
   /** `share` gives the strength of each touch, 0 to 1. */
   draw(frame: Frame, share: Share): void {
     this.share = share;
+    this.frame = `${frame.exploration}:${frame.frame}`;
     this.motion.take(frame, performance.now());
     if (!this.isAimed) this.aim();
-    this.move();
+    this.awaitRest();
+    this.render();
   }
 
   /** To where the pads are seen. */
@@ -155,9 +159,13 @@ export class SceneView {
 
   /** Draws now with the resolution of a movement, and finely once it rests. */
   private move(): void {
+    this.awaitRest();
+    this.request();
+  }
+
+  private awaitRest(): void {
     window.clearTimeout(this.resting);
     this.resting = window.setTimeout(() => this.settle(), kRest);
-    this.request();
   }
 
   private settle(): void {
@@ -173,23 +181,28 @@ export class SceneView {
   }
 
   private request(): void {
-    if (this.requested) return;
-    this.requested = true;
-    window.requestAnimationFrame(() => this.render());
+    if (this.requested === 0) this.requested = window.requestAnimationFrame(() => this.render());
   }
 
   private render(): void {
-    this.requested = false;
+    window.cancelAnimationFrame(this.requested);
+    this.requested = 0;
     if (!this.ready || this.size[0] === 0) return;
     const begin = performance.now();
     if (this.motion.isMoving(begin)) this.keepUp(begin);
-    this.parts?.move(this.motion.at(begin));
+    this.parts?.move(this.motion.at(begin + this.seenFor));
     this.parts?.pads.show(this.parts.bodies, this.share);
     this.renderer.render(this.scene, this.camera);
     const time = performance.now() - begin;
     drawingClock.time += time;
     drawingClock.drawn += 1;
     this.host.dataset["drawn"] = String(drawingClock.drawn);
+    this.host.dataset["frame"] = this.frame;
+  }
+
+  /** ms for which a picture is seen: it shows the poses of the end of this time. Software is slow until measured. */
+  private get seenFor(): number {
+    return this.budget.interval ?? (this.simple ? Number.POSITIVE_INFINITY : 0);
   }
 
   private keepUp(now: number): void {

@@ -1,7 +1,10 @@
 // The stream of events and its state: it is lost if the browser reports an error or if no event has
-// arrived within three ping intervals. It is then reconnected every few seconds, or on request.
+// arrived for some seconds. It is then reconnected every few seconds, or on request. Each ping is
+// acknowledged, because the program sends the next events only after that: they are the latest ones,
+// whatever is stored on the way.
 
-import type { Events, Scene, State } from "../data";
+import type { Events, Ping, Scene, State } from "../data";
+import type { Freshness } from "./freshness";
 import type { Server } from "./server";
 
 export type Link =
@@ -16,9 +19,11 @@ export interface Listener {
   scene(scene: Scene | null): void;
   frame(text: string): void; // not parsed: most frames may be dropped
   training(text: string): void;
+  received(): void; // all events that were sent together
 }
 
 const silence = 6500; // ms
+const longestSilence = 60_000; // ms, on a line on which an event takes that long
 const pause = 3; // s
 
 export class Connection {
@@ -26,20 +31,28 @@ export class Connection {
   private silent = 0;
   private countdown = 0;
   private full = false;
-  private known = false; // whether the scene was requested since connecting
+  private known = false; // whether the scene was received or requested since connecting
+  private patience = silence;
+  private acknowledging = 0; // the number that is on its way
+  private end = new AbortController(); // of the requests of this stream
 
   constructor(
     private readonly server: Server,
+    private readonly freshness: Freshness,
     private readonly listener: Listener,
   ) {}
 
   open(): void {
     this.close();
     this.listener.link({ kind: "connecting" });
+    this.end = new AbortController();
+    this.acknowledging = 0;
+    this.freshness.begin(performance.now());
+    this.known = false;
     const events = this.server.events();
     this.events = events;
     events.onerror = () => void this.lose();
-    events.onopen = () => this.greet();
+    events.onopen = () => this.listener.link({ kind: "open" });
     this.listen(events);
     this.restartTimeout();
   }
@@ -47,6 +60,7 @@ export class Connection {
   close(): void {
     this.events?.close();
     this.events = null;
+    this.end.abort(); // a line that answers no more must not collect requests
     window.clearTimeout(this.silent);
     window.clearInterval(this.countdown);
   }
@@ -61,19 +75,36 @@ export class Connection {
     on("scene", (text) => this.tellScene(JSON.parse(text) as Events["scene"]));
     on("frame", (text) => this.listener.frame(text));
     on("training", (text) => this.listener.training(text));
-    on("ping", () => undefined);
+    on("ping", (text) => this.answer(JSON.parse(text) as Events["ping"]));
   }
 
-  private greet(): void {
-    this.known = false;
-    this.listener.link({ kind: "open" });
-    void this.askScene();
+  private answer(ping: Ping): void {
+    if (!this.known) void this.askScene();
+    if (ping.viewer !== undefined && ping.number !== undefined) {
+      this.freshness.receive(ping.number, ping.waited ?? 0, performance.now());
+      void this.acknowledge(ping.viewer, ping.number);
+    }
+    this.listener.received();
   }
 
-  private async askScene(): Promise<void> {
+  /** One that is lost on the way is sent again with the next ping. */
+  private async acknowledge(viewer: number, number: number): Promise<void> {
+    if (this.acknowledging === number) return;
+    this.acknowledging = number;
     try {
-      const scene = await this.server.scene();
-      if (!this.known) this.tellScene(scene);
+      await this.server.seen(viewer, number, this.end.signal);
+    } catch {
+      // The end of the stream reports the error.
+    } finally {
+      if (this.acknowledging === number) this.acknowledging = 0;
+    }
+  }
+
+  /** The program may have none, and then sends none. */
+  private async askScene(): Promise<void> {
+    this.known = true;
+    try {
+      this.listener.scene(await this.server.scene());
     } catch {
       // The end of the stream reports the error.
     }
@@ -86,14 +117,20 @@ export class Connection {
 
   private restartTimeout(): void {
     window.clearTimeout(this.silent);
-    this.silent = window.setTimeout(() => void this.lose(), silence);
+    this.silent = window.setTimeout(() => this.tire(), this.patience);
+  }
+
+  /** A slow line may need longer for an event: the next attempt has more patience. */
+  private tire(): void {
+    this.patience = Math.min(longestSilence, 2 * this.patience);
+    void this.lose();
   }
 
   private async lose(): Promise<void> {
     this.close();
     this.full = false;
     this.wait(pause);
-    const status = await this.server.status();
+    const status = await this.server.status(1000 * pause);
     this.full = status === 503;
     if (status !== 401 && status !== 403) return;
     this.close();

@@ -23,6 +23,8 @@ export class DrawingBudget {
   private begun: number | null = null; // ms, of the window
   private pictures = 0;
   private fast = 0;
+  /** ms from a picture to the next, as it was in the last window; null before the first. */
+  interval: number | null = null;
 
   get pause(): number {
     return kLevels[this.level]!.pause;
@@ -37,7 +39,8 @@ export class DrawingBudget {
     this.begun ??= now;
     const passed = now - this.begun;
     if (passed >= kWindow) {
-      this.judge((1000 * this.pictures) / passed);
+      this.interval = passed / this.pictures;
+      this.judge(1000 / this.interval);
       this.begun = now;
       this.pictures = 0;
     }

@@ -31,6 +31,11 @@ export class FrameLoop {
     private readonly pause: () => number = () => 0, // ms, at least, between two frames
   ) {}
 
+  /** Whether a frame is not drawn yet. */
+  get isWaiting(): boolean {
+    return this.waiting !== null;
+  }
+
   take(text: string): void {
     if (this.waiting !== null) this.dropped += 1;
     this.waiting = text;
@@ -54,10 +59,11 @@ export class FrameLoop {
     const text = this.waiting;
     this.waiting = null;
     if (text === null) return;
-    const begin = performance.now();
+    const [begin, drawing] = [performance.now(), drawingClock.time];
     this.last = begin;
     this.draw(text);
-    this.count(performance.now() - begin, drawingClock.time - this.drawing);
+    const own = performance.now() - begin - (drawingClock.time - drawing);
+    this.count(own, drawingClock.time - this.drawing);
     this.drawing = drawingClock.time;
   }
 

@@ -5,6 +5,7 @@ import type { ChannelData } from "../../parts/data";
 import type { Link, Listener } from "./connection";
 import type { Command, Frame, NeuronAnswer, Scene, State, TaxelAnswer, Training } from "../data";
 import { DrawingBudget } from "./drawing_budget";
+import { Freshness } from "./freshness";
 import { ForceScale } from "../scene/force_scale";
 import { History } from "../strips/history";
 import { HistorySource } from "../strips/history_source";
@@ -34,6 +35,7 @@ export class Model implements Source {
   readonly history = new History();
   readonly scale = new ForceScale();
   readonly budget = new DrawingBudget();
+  readonly freshness = new Freshness();
   private readonly source: HistorySource;
 
   constructor(private readonly server: Server) {

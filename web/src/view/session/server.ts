@@ -16,17 +16,25 @@ export class Server {
   constructor(private readonly token: string) {}
 
   events(): EventSource {
-    return new EventSource(`api/events?token=${encodeURIComponent(this.token)}`);
+    return new EventSource(`api/events?acknowledge=1&token=${encodeURIComponent(this.token)}`);
   }
 
-  /** The HTTP status of the stream of events, or 0 without a response. */
-  async status(): Promise<number> {
+  /** Acknowledges the events with this number. */
+  async seen(viewer: number, number: number, signal: AbortSignal): Promise<void> {
+    const path = `api/seen?viewer=${viewer}&number=${number}`;
+    await answerOf(await this.fetch(path, { method: "POST", signal }));
+  }
+
+  /** The HTTP status of the stream of events, or 0 without a response within the patience in ms. */
+  async status(patience: number): Promise<number> {
     const end = new AbortController();
+    const impatience = window.setTimeout(() => end.abort(), patience);
     try {
       return (await this.fetch("api/events", { signal: end.signal })).status;
     } catch {
       return 0;
     } finally {
+      window.clearTimeout(impatience);
       end.abort();
     }
   }

@@ -4,6 +4,7 @@
 import type { NumberOrNull } from "../../parts/data";
 import type { Frame, Strips } from "../data";
 
+const kMost = 2000; // moments: a strip has fewer pixels, and a body may explore for days
 const kMissing = 1; // s without frames, after which the program's history is requested again
 
 export type Moment = Pick<Frame, "frame" | "time" | "channels">;
@@ -97,7 +98,20 @@ export class History {
     // Between grasps the last frame is sent again, with values that are not recorded.
     if (this.moments[place]?.frame === moment.frame) return;
     this.moments.splice(place, 0, moment);
+    if (this.moments.length > kMost) this.thin();
     this.version += 1;
+  }
+
+  /** Half of the moments remain, evenly spaced over the exploration, and the last one. */
+  private thin(): void {
+    const [first, last] = [this.moments[0]!, this.moments.at(-1)!];
+    const spacing = (2 * (last.frame - first.frame)) / kMost;
+    let kept = Number.NEGATIVE_INFINITY;
+    this.moments = this.moments.filter((moment) => {
+      if (moment !== last && moment.frame - kept < spacing) return false;
+      kept = moment.frame;
+      return true;
+    });
   }
 
   /** The position of the frame in the history, nearly always the end. */

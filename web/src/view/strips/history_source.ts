@@ -1,14 +1,16 @@
 // Requests the earlier history from the program: when it begins, and again after frames were missed,
-// but not with each frame of a page that draws slowly.
+// but not with each frame of a page that draws slowly, nor without a pause on a slow line, on which the
+// history delays the frames.
 
 import type { History } from "./history";
 import type { Server } from "../session/server";
 
 const kPause = 2000; // ms, between two requests for the same history
+const kRest = 4; // times as long as the last answer took
 
 export class HistorySource {
   private requesting = false;
-  private requested = { beginnings: -1, time: 0 };
+  private requested = { beginnings: -1, next: 0 }; // ms
   private timer = 0;
 
   constructor(
@@ -21,8 +23,8 @@ export class HistorySource {
   look(): void {
     if (this.requesting || !this.history.isLacking) return;
     window.clearTimeout(this.timer);
-    const { beginnings, time } = this.requested;
-    const wait = beginnings === this.history.beginnings ? time + kPause - performance.now() : 0;
+    const { beginnings, next } = this.requested;
+    const wait = beginnings === this.history.beginnings ? next - performance.now() : 0;
     if (wait > 0) this.timer = window.setTimeout(() => this.look(), wait);
     else void this.ask();
   }
@@ -30,13 +32,16 @@ export class HistorySource {
   /** A reply for another exploration is ignored: its frame is on its way. */
   private async ask(): Promise<void> {
     this.requesting = true;
-    this.requested = { beginnings: this.history.beginnings, time: performance.now() };
+    const begin = performance.now();
+    this.requested = { beginnings: this.history.beginnings, next: begin + kPause };
     try {
       const strips = await this.server.strips();
       if (strips !== null && this.history.take(strips)) this.taken();
     } catch {
       this.history.doWithout();
     } finally {
+      const end = performance.now();
+      this.requested.next = Math.max(this.requested.next, end + kRest * (end - begin));
       this.requesting = false;
     }
   }
