@@ -79,7 +79,7 @@ class EventHub {
     /// events, or without the acknowledgement of those before; nothing once the hub is closed.
     std::optional<std::vector<Event>> next(std::chrono::milliseconds patience);
 
-    /// What the last call of next() handed out; if it awaits an acknowledgement, what that is for.
+    /// Describes what the last call of next() handed out, or what still awaits an acknowledgement.
     const Handed& handed() const { return handed_; }
 
     Flow flow() const { return flow_; }

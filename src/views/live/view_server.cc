@@ -27,9 +27,9 @@ namespace {
 
 constexpr auto kBetweenPings = std::chrono::milliseconds(2000);
 
-// A viewer that acknowledges is asked more often than the second from which a page shows the age of
-// what it shows, and receives no more events than screens show pictures.
-constexpr auto kBetweenQuestions = std::chrono::milliseconds(500);
+// A viewer that acknowledges receives pings more often than once in the second from which a page
+// states its delay, and no more events than screens show pictures.
+constexpr auto kBetweenAcknowledgedPings = std::chrono::milliseconds(500);
 constexpr auto kBetweenPictures = std::chrono::milliseconds(16);
 
 std::string_view name_of(EventKind kind) {
@@ -51,7 +51,7 @@ std::string event_text(std::string_view name, std::string_view data) {
 }
 
 // The end of what is to be acknowledged; repeated until it is.
-std::string question_text(const EventHub::Handed& handed) {
+std::string ping_text(const EventHub::Handed& handed) {
   const std::chrono::duration<double> waited = handed.waited;
   return event_text("ping", fmt::format(R"({{"viewer":{},"number":{},"waited":{:.4f}}})",
                                         handed.viewer, handed.number, waited.count()));
@@ -227,14 +227,15 @@ class ViewServer::Impl {
   }
 
   static void send(EventHub::Subscription& subscription, const HttpResponse::Write& write) {
-    const bool asks = subscription.flow() == EventHub::Flow::kAcknowledged;
-    while (const auto events = subscription.next(asks ? kBetweenQuestions : kBetweenPings)) {
+    const bool acknowledges = subscription.flow() == EventHub::Flow::kAcknowledged;
+    while (const auto events =
+               subscription.next(acknowledges ? kBetweenAcknowledgedPings : kBetweenPings)) {
       std::string part;
       for (const auto& [kind, text] : *events) part += event_text(name_of(kind), *text);
-      if (asks) part += question_text(subscription.handed());
+      if (acknowledges) part += ping_text(subscription.handed());
       if (part.empty()) part = event_text("ping", "{}");
       if (!write(part)) return;
-      if (asks) subscription.rest(kBetweenPictures);
+      if (acknowledges) subscription.rest(kBetweenPictures);
     }
   }
 

@@ -48,8 +48,7 @@ std::vector<std::string> texts_of(const std::optional<std::vector<EventHub::Even
 
 using Texts = std::vector<std::string>;
 
-// Whatever is stored between the program and a viewer: it has one frame, and the next is the
-// latest.
+// All buffers between the program and a viewer have one frame, and the next is the latest.
 TEST(EventHubThread, WaitsForTheAcknowledgementOfASlowOneAndThenHandsOutTheLatest) {
   EventHub hub;
   const auto slow = hub.subscribe(2, EventHub::Flow::kAcknowledged);
@@ -73,7 +72,7 @@ TEST(EventHubThread, WaitsForTheAcknowledgementOfASlowOneAndThenHandsOutTheLates
   EXPECT_EQ(take(*slow), Texts{});
   EXPECT_EQ(take(*slow), (Texts{"state", "999"}));
   EXPECT_EQ(take(*slow), Texts{});
-  EXPECT_GT(slow->handed().number, first + 1);  // is asked, though there is nothing new
+  EXPECT_GT(slow->handed().number, first + 1);  // with a ping, though nothing is new
 }
 
 TEST(EventHubThread, IsWokenByAnAcknowledgement) {

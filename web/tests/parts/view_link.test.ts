@@ -166,7 +166,7 @@ test("the age of what is shown counts from when it was the latest, by the clock 
   expect(fresh.age(6100)).toBe(100);
 });
 
-test("the age goes on when the line is lost and another is opened", () => {
+test("the age continues to grow when the line is lost and another is opened", () => {
   const fresh = new Freshness();
   fresh.begin(0);
   fresh.receive(1, 0, 10);

@@ -5,14 +5,14 @@
 export const kNoticed = 1000; // ms, from which the age is shown
 
 export class Freshness {
-  private asked = 0; // ms, when the last acknowledgement was sent, or the stream was opened
+  private requested = 0; // ms, when the last acknowledgement was sent, or the stream was opened
   private number = 0; // of the last ping
   private received: number | null = null; // ms, when what was received last was the latest
   private shown: number | null = null; // the same of what is shown
 
   /** A stream is opened. */
   begin(now: number): void {
-    this.asked = now;
+    this.requested = now;
     this.number = 0;
     this.received = null;
   }
@@ -20,8 +20,8 @@ export class Freshness {
   /** A ping with new events, which are acknowledged now; a repeated one has nothing new. */
   receive(number: number, waited: number, now: number): void {
     if (number === this.number) return;
-    this.received = this.asked + 1000 * waited;
-    this.asked = now;
+    this.received = this.requested + 1000 * waited;
+    this.requested = now;
     this.number = number;
   }
 
