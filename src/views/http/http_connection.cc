@@ -77,17 +77,18 @@ bool HttpConnection::send_all(std::string_view bytes) const {
   return true;
 }
 
-// The parts of a stream do not wait in the buffer of the system, which takes megabytes: a part is
-// written when the one before has left. Only TCP has the option.
+// Nothing waits in the buffer of the system, which takes megabytes: a part of a stream is written
+// when the one before has left, and a client that takes little is noticed to take something, which
+// the system reports only when a third of its buffer is free. Only TCP has the option.
 void HttpConnection::keep_buffer_empty() const {
   constexpr int kMostUnsent = 1;  // bytes
   ::setsockopt(socket_, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kMostUnsent, sizeof kMostUnsent);
 }
 
 bool HttpConnection::write(const HttpResponse& response, bool head_only) {
+  keep_buffer_empty();
   bool taken = send_all(head_of(response));
   if (taken && !head_only && response.stream) {
-    keep_buffer_empty();
     response.stream([this](std::string_view part) { return send_all(part); });
   } else if (taken && !head_only) {
     taken = send_all(response.body);

@@ -86,7 +86,7 @@ std::array<int, 2> tcp_sockets() {
   return {server, client};
 }
 
-TEST(HttpConnectionThread, KeepsNoPartsOfAStreamInTheBufferOfTheSystem) {
+TEST(HttpConnectionThread, KeepsNothingInTheBufferOfTheSystem) {
   const std::array<int, 2> sockets = tcp_sockets();
   HttpConnection connection(sockets[0], std::chrono::minutes(1));
   int unsent = 0;

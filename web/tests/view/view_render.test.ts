@@ -23,6 +23,13 @@ it("saves a picture of the view", async () => {
   expect(bytes.length).toBeGreaterThan(30_000); // an empty page has less
 });
 
+it("saves a picture of a demonstration", async () => {
+  const path = join(folder, "demo.png");
+  const words = ["view", "--demo", "--body", "hardness", "--exploration", "2", "--render", path];
+  expect(await somato(words)).toContain("demo.png: frame 1");
+  expect(readFileSync(path).length).toBeGreaterThan(30_000);
+});
+
 // The one moment of this recording is shown for a second. The head of the page is white, its panels are not black.
 it("saves a film of the view", async () => {
   const [film, raw] = [join(folder, "view.webm"), join(folder, "view.i420")];
