@@ -2,39 +2,34 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
-#include "maps/som/fill_from_winner.h"
 #include "maps/som/sample_range.h"
 #include "som/data.h"
 #include "som/stoppable_rows.h"
+#include "systems/model/complete_inputs.h"
 #include "terminal/terminal.h"
 
 namespace somato::program {
 namespace {
 
-Result<void> check_fills(const SomModel& model, MissingFill missing, const std::string& path) {
-  if (missing == MissingFill::kNearest) {
-    Result<void> takes = check_takes_incomplete(model.som);
-    if (!takes) takes.error().where = path;
-    return takes;
-  }
-  if (missing == MissingFill::kRefuse || !model.fill_values().empty()) return {};
-  return fail(ErrorKind::kUsage, "the map does not contain the means of its training data", path,
-              "pass --missing nearest, or train with --missing mean or --standardize");
-}
-
 Samples as_the_map_takes(const SomModel& model, const RowData& rows, const Samples& part) {
-  if (!rows.holds_missing) return model.prepare(part);
-  return rows.missing == MissingFill::kMean ? model.prepare(filled_with(model.fill_values(), part))
-                                            : filled_from_winners(model.som, model.prepare(part));
+  return complete_inputs(model, rows.holds_missing ? rows.missing : MissingFill::kRefuse, part);
 }
 
 Result<SomModel> read_map(const Arguments& arguments) {
   const std::string path = arguments.text("MAP");
   SOMATO_TRY(auto model, load_som_model(path));
   SOMATO_TRY(const auto missing, read_missing(arguments));
-  SOMATO_TRY_VOID(check_fills(model, missing, path));
+  if (Result<void> fills = check_fills(model, missing); !fills) {
+    fills.error().where = path;
+    fills.error().advice = missing == MissingFill::kNearest
+                               ? "pass --missing mean"
+                               : "pass --missing nearest, or train with --missing mean or "
+                                 "--standardize";
+    return fail(std::move(fills.error()));
+  }
   return model;
 }
 
@@ -42,7 +37,8 @@ Result<SomModel> read_map(const Arguments& arguments) {
 
 Result<MapAndRows> read_map_and_rows(const Arguments& arguments, JoinedProcesses* processes) {
   SOMATO_TRY(auto model, agreed(read_map(arguments), processes));
-  SOMATO_TRY(auto rows, read_rows(arguments, model.features, processes));
+  SOMATO_TRY(auto rows, read_rows(arguments, model.features, processes, model.scales()));
+  model.subtract_offsets();
   if (rows.size() != model.som.input_size()) {
     Error error{ErrorKind::kData,
                 fmt::format("the data have {} columns, but the map requires {}", rows.size(),

@@ -63,10 +63,11 @@ class RowReader {
   RowReader(const Arguments& arguments, JoinedProcesses* processes)
       : arguments_(arguments), processes_(processes) {}
 
-  Result<RowData> read(const std::vector<std::string>& features) {
+  Result<RowData> read(ColumnChoice choice, std::shared_ptr<const std::string> text) {
+    rows_.text = std::move(text);
     auto read = check_labels_given_once(arguments_)
                     .and_then([&] { return check_shareable(); })
-                    .and_then([&] { return open(features); })
+                    .and_then([&] { return open(std::move(choice)); })
                     .and_then([&] { return go_through(); })
                     .and_then([&] { return add_labels_of_file(); });
     SOMATO_TRY_VOID(agreed(std::move(read), processes_));
@@ -108,19 +109,19 @@ class RowReader {
   }
 
   // A file that is not regular cannot be read in parts, and its size is unknown in advance.
-  Result<void> open(const std::vector<std::string>& features) {
+  Result<void> open(ColumnChoice choice) {
     SOMATO_TRY(const auto memory, this->memory());
     SOMATO_TRY(auto options, read_table_options(arguments_));
-    options.columns.features = features;
+    options.columns.features = std::move(choice.features);
+    options.columns.scales = std::move(choice.scales);
     const std::vector<std::string> paths = data_files(arguments_);
     rows_.path = name_of_files(paths);
     is_file_ = paths.size() > 1 || is_regular_file(rows_.path);
     if (!is_file_ && processes_) return refuse_to_share();
+    if (!is_file_) SOMATO_TRY_VOID(read_once(memory));
     auto source =
         is_file_ ? open_numbers(paths, options, std::min(kLargestPart, memory / kPartsInMemory))
-                 : read_whole(rows_.path, memory).and_then([&](const std::string& bytes) {
-                     return numbers_in(bytes, rows_.path, options);
-                   });
+                 : numbers_in(*rows_.text, rows_.path, options);
     if (!source) return fail(std::move(source.error()));
     rows_.file_ = std::move(*source);
     if (processes_) take_part(*rows_.file_, processes_->rank(), processes_->size());
@@ -128,6 +129,13 @@ class RowReader {
     rows_.columns = rows_.file_->columns();
     rows_.features = rows_.columns.feature_names();
     return read_missing(arguments_).map([&](MissingFill missing) { rows_.missing = missing; });
+  }
+
+  Result<void> read_once(std::size_t memory) {
+    if (rows_.text) return {};
+    SOMATO_TRY(std::string bytes, read_whole(rows_.path, memory));
+    rows_.text = std::make_shared<const std::string>(std::move(bytes));
+    return {};
   }
 
   Result<void> go_through() {
@@ -226,6 +234,9 @@ Result<void> RowData::fill(const std::vector<double>& means, const std::vector<d
   auto filled = filled_from_nearest(*all_, scale, terminal_progress("filling"));
   if (!filled) {
     filled.error().where = path;
+    if (filled.error().kind == ErrorKind::kData) {
+      filled.error().advice = "use --missing mean, or leave columns out with --skip";
+    }
     return fail(std::move(filled.error()));
   }
   keep(std::move(*filled));
@@ -233,8 +244,9 @@ Result<void> RowData::fill(const std::vector<double>& means, const std::vector<d
 }
 
 Result<RowData> read_rows(const Arguments& arguments, const std::vector<std::string>& features,
-                          JoinedProcesses* processes) {
-  return RowReader(arguments, processes).read(features);
+                          JoinedProcesses* processes, const std::vector<ColumnScale>& scales,
+                          std::shared_ptr<const std::string> text) {
+  return RowReader(arguments, processes).read({{}, {}, features, scales}, std::move(text));
 }
 
 Result<void> refuse_constant_columns(const RowData& rows, const std::string& path) {

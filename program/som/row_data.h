@@ -30,6 +30,8 @@ class RowData {
   MissingFill missing = MissingFill::kRefuse;  ///< Treatment of missing values.
   KnownValues known;  ///< The values of the file; collected unless missing values are refused.
   bool holds_missing = false;  ///< Whether samples() contain missing values, which are NaN.
+  /// The content of a file that can be read only once; otherwise nullptr.
+  std::shared_ptr<const std::string> text;
 
   std::size_t size() const { return columns.features.size(); }
   bool labelled() const { return !classes.of_sample.empty(); }
@@ -57,14 +59,17 @@ class RowData {
 
 /// Reads the files that the positional `DATA` names, one after the other, and their labels: in
 /// parts if they are regular files whose rows would take more than `--memory`. If columns have
-/// names, those of `features` are selected in that order, unless it is empty. Shows progress on a
+/// names, those of `features` are selected in that order, unless it is empty. `scales` are those of
+/// ColumnChoice; `text` is that of RowData if the file was read before. Shows progress on a
 /// terminal. Errors: those of the files, kData if the numbers of labels and rows differ or a row
 /// has no known value, kInterrupted.
 ///
 /// Each of `processes` reads a part of the rows, and all return the same error; nullptr: only this
 /// process. Also fails (kUsage) for files and flags that several processes cannot share.
 Result<RowData> read_rows(const Arguments& arguments, const std::vector<std::string>& features = {},
-                          JoinedProcesses* processes = nullptr);
+                          JoinedProcesses* processes = nullptr,
+                          const std::vector<ColumnScale>& scales = {},
+                          std::shared_ptr<const std::string> text = nullptr);
 
 /// Fails (kData) if a column has the same value in every row.
 Result<void> refuse_constant_columns(const RowData& rows, const std::string& path);

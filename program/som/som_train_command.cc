@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -25,6 +28,7 @@ Result<void> fill_missing(const Arguments& arguments, RowData& rows, std::vector
   auto known = rows.known.means(rows.features);
   if (!known) {
     known.error().where = rows.path;
+    known.error().advice += " with --skip";
     return fail(std::move(known.error()));
   }
   const bool scaled = rows.missing == MissingFill::kNearest && arguments.has("standardize");
@@ -34,11 +38,14 @@ Result<void> fill_missing(const Arguments& arguments, RowData& rows, std::vector
   return rows.fill(*known, scale);
 }
 
+Result<void> check_count(const RowData& rows) {
+  if (rows.count >= 2) return {};
+  return fail(ErrorKind::kData, "the data have only one sample", rows.path,
+              "a map needs at least two rows for training");
+}
+
 Result<void> check_rows(const Arguments& arguments, const RowData& rows) {
-  if (rows.count < 2) {
-    return fail(ErrorKind::kData, "the data have only one sample", rows.path,
-                "a map needs at least two rows for training");
-  }
+  SOMATO_TRY_VOID(check_count(rows));
   if (arguments.has("keep-constant-columns")) return {};
   return refuse_constant_columns(rows, rows.path);
 }
@@ -154,14 +161,50 @@ Result<SomModel> start_on(const Arguments& arguments, const SomParameters& param
   return start_model(arguments, rows, std::move(means));
 }
 
+// A standardization keeps what differs, however large the numbers are: nothing is lost of numbers
+// from which an offset is subtracted first.
+std::vector<ColumnScale> without_check(std::vector<double> offsets) {
+  std::vector<ColumnScale> scales;
+  for (const double offset : offsets) {
+    scales.push_back({offset, std::numeric_limits<double>::infinity()});
+  }
+  return scales;
+}
+
+// Rows that are standardized are read again without the offsets of their columns if these lie far
+// from 0. Offsets of `rows` are added to those of `model` when it is saved.
+Result<RowData> read_training_rows(const Arguments& arguments, JoinedProcesses* processes,
+                                   std::vector<double>& offsets) {
+  if (!arguments.has("standardize")) return read_rows(arguments, {}, processes);
+  SOMATO_TRY(auto rows, read_rows(arguments, {}, processes, without_check({0.0})));
+  SOMATO_TRY_VOID(check_count(rows));
+  std::vector<double> means;
+  SOMATO_TRY_VOID(fill_missing(arguments, rows, means));
+  SOMATO_TRY(const auto model, start_model(arguments, rows, {}));
+  offsets = model.standardization->offsets();
+  const bool near = std::all_of(offsets.begin(), offsets.end(), [](double o) { return o == 0.0; });
+  if (near) return rows;
+  return read_rows(arguments, {}, processes, without_check(offsets), rows.text);
+}
+
+void add_offsets(SomModel& model, const std::vector<double>& offsets) {
+  if (offsets.empty()) return;
+  std::vector<double> back(offsets.size());
+  std::transform(offsets.begin(), offsets.end(), back.begin(), std::negate<>());
+  model.standardization = model.standardization->without(back);
+  for (std::size_t d = 0; d < model.means.size(); ++d) model.means[d] += offsets[d];
+}
+
 Result<void> train_with(const Arguments& arguments, JoinedProcesses* processes) {
   SOMATO_TRY(const auto request, agreed(read_request(arguments, processes), processes));
-  SOMATO_TRY(auto rows, read_rows(arguments, {}, processes));
+  std::vector<double> offsets;
+  SOMATO_TRY(auto rows, read_training_rows(arguments, processes, offsets));
   SOMATO_TRY(auto model, agreed(start_on(arguments, request.parameters, rows), processes));
   SOMATO_TRY(auto som, train_map(request, model, rows));
   model.som = std::move(som);
   SOMATO_TRY(const auto quality, measure_rows(model, rows, request.options.threads, processes));
   add_labels(model, rows.classes, quality.winners);
+  add_offsets(model, offsets);
   SOMATO_TRY_VOID(agreed(save_trained(arguments, model, request.options), processes));
   print_trained(arguments.text("output"), model.som, rows, quality);
   return {};

@@ -52,6 +52,13 @@ struct Standardization {
                                      const StandardizationParameters& parameters = {},
                                      const std::vector<std::string>& column_names = {});
 
+  /// The means of columns that lie far from 0, and 0 for others: what has to be subtracted in
+  /// double precision before the numbers are rounded to float32.
+  std::vector<double> offsets() const;
+
+  /// The same for numbers from which the offsets have been subtracted.
+  Standardization without(std::span<const double> offsets) const;
+
   /// Writes the standardized `sample` to `out`; throws InvalidArgument if a size differs.
   void apply(const SignalView& sample, std::span<float> out) const;
 

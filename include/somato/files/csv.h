@@ -19,6 +19,12 @@ struct NumberTable {
   bool operator==(const NumberTable&) const = default;
 };
 
+/// Place and spread of a column, known before its numbers are rounded to float32.
+struct ColumnScale {
+  double offset = 0.0;     ///< Subtracted in double precision before.
+  double deviation = 0.0;  ///< Differences far below this are of no use; 0: not known.
+};
+
 /// Selects the columns of a table that are read as features. If columns have names, an item of
 /// `use` and `skip` is a name or a pattern in which `*` matches any characters and `?` one;
 /// otherwise it is a number from 1 or a range of numbers such as 2..17.
@@ -28,6 +34,9 @@ struct ColumnChoice {
   /// Names of the columns that are then selected, in this order, from a table with names; empty:
   /// all remaining columns, in the order of the file.
   std::vector<std::string> features;
+  /// One for each feature, or one for all; another number has no effect. Numbers are read without
+  /// the offset of their column.
+  std::vector<ColumnScale> scales = {};
 };
 
 /// Options for reading a file of numbers; options that are not set are detected. For an NPY,

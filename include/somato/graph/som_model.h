@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include "somato/codes/standardization.h"
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
+#include "somato/files/csv.h"
 #include "somato/maps/labels.h"
 #include "somato/maps/som.h"
 
@@ -23,6 +25,9 @@ struct SomModel {
   /// Means of the columns of the training data, over the rows with a value, if missing values were
   /// replaced by them; otherwise empty.
   std::vector<double> means = {};
+  /// Samples that online training has learned since the map began, if these are not the
+  /// `iterations` of its parameters.
+  std::optional<std::uint64_t> samples_seen = {};
 
   /// The replacement for a missing value of each column: `means`, or those of the standardization;
   /// empty if the model has neither.
@@ -30,6 +35,17 @@ struct SomModel {
 
   /// The samples as inputs of the map. Throws InvalidArgument if the sizes differ.
   Samples prepare(const Samples& samples) const;
+
+  /// The scale of each column of data for the map: offsets of a standardization, and the
+  /// deviations of the training data or, without a standardization, of the weights. Those of a map
+  /// that scales its inputs to length 1 are not known.
+  std::vector<ColumnScale> scales() const;
+
+  /// Adapts the model to data from which the offsets of scales() have been subtracted.
+  void subtract_offsets();
+
+  /// The number of samples that the training has learned.
+  std::uint64_t seen() const;
 };
 
 /// The bytes of a model file; docs/formats/model-file.md describes them. Throws like

@@ -190,14 +190,16 @@ Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout,
                            std::string_view where, ColumnPrecision* precision) {
   const std::vector<std::size_t>& chosen = reading.columns.features;
   const bool all = chosen.size() == layout.columns;
-  if (all && is_plain(layout) && copy_if_finite(bytes, out)) return {};
+  const bool moved = has_offsets(reading.columns);
+  if (all && !moved && is_plain(layout) && copy_if_finite(bytes, out)) return {};
   const std::size_t columns = layout.columns;
   const std::size_t rows = out.size() / chosen.size();
   float* next = out.data();
   for (std::size_t row = 0; row < rows; ++row) {
     for (const std::size_t column : chosen) {
       const std::size_t place = layout.fortran_order ? column * rows + row : row * columns + column;
-      const double value = layout.type->read(bytes.data() + place * layout.type->size);
+      const double value = without_offset(
+          reading.columns, column, layout.type->read(bytes.data() + place * layout.type->size));
       const auto rounded = static_cast<float>(value);
       *next++ = rounded;
       if (std::isnan(value) && reading.keeps_missing) continue;
@@ -212,7 +214,7 @@ Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout,
 Result<Matrix<float>> npy_matrix(std::string_view bytes, const NpyLayout& layout,
                                  const NpyReading& reading, std::string_view where) {
   Matrix<float> matrix(layout.rows, reading.columns.features.size());
-  ColumnPrecision precision;
+  ColumnPrecision precision(reading.columns.scales);
   return read_npy_rows(bytes.substr(layout.start), layout, reading, 0, matrix.values(), where,
                        &precision)
       .map([&] { return std::move(matrix); });

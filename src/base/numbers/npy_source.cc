@@ -46,7 +46,7 @@ double NpySource::share_read() const {
 
 Result<void> NpySource::rewind() {
   row_ = begin_;
-  precision_ = {};
+  precision_ = ColumnPrecision(reading_.columns.scales);
   return file_.check();
 }
 

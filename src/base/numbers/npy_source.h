@@ -24,7 +24,8 @@ class NpySource final : public NumberSource {
         layout_(layout),
         reading_(std::move(reading)),
         part_rows_(part_rows),
-        end_(layout.rows) {}
+        end_(layout.rows),
+        precision_(reading_.columns.scales) {}
 
   const TableColumns& columns() const override { return reading_.columns; }
   double memory_of_all() const override;

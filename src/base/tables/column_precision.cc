@@ -2,43 +2,106 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/text/text.h"
+#include "somato/core/check.h"
 
 namespace somato {
 
+ColumnPrecision::Column& ColumnPrecision::at(std::size_t column) {
+  if (column >= columns_.size()) columns_.resize(column + 1);
+  return columns_[column];
+}
+
 // Mean and squares as Welford updates them: the numbers may be large, and their differences small.
 void ColumnPrecision::take(std::size_t column, double exact, float kept) {
-  if (column >= columns_.size()) columns_.resize(column + 1);
-  Column& of = columns_[column];
+  Column& of = at(column);
   of.count += 1.0;
   const double difference = exact - of.mean;
   of.mean += difference / of.count;
   of.squares += difference * (exact - of.mean);
   const double lost = exact - double{kept};
   of.lost += lost * lost;
-  of.example = exact;
+  if (lost != 0.0) of.example = exact;
+}
+
+// Chan, Golub and LeVeque, "Algorithms for computing the sample variance", 1983, for a second part
+// without deviation.
+void ColumnPrecision::take_zeros(std::size_t column, std::size_t count) {
+  Column& of = at(column);
+  const auto zeros = static_cast<double>(count);
+  if (zeros == 0.0) return;
+  of.squares += of.mean * of.mean * of.count * zeros / (of.count + zeros);
+  of.mean *= of.count / (of.count + zeros);
+  of.count += zeros;
+}
+
+double ColumnPrecision::deviation(std::size_t column) const {
+  const Column& of = columns_[column];
+  const double known = column < scales_.size() ? scales_[column].deviation : 0.0;
+  return of.count > 0.0 ? std::max(std::sqrt(of.squares / of.count), known) : known;
+}
+
+bool ColumnPrecision::loses(std::size_t column) const {
+  constexpr double kTolerated = 1.0 / 20;
+  const Column& of = columns_[column];
+  const double most = kTolerated * deviation(column);
+  return most > 0.0 && of.lost > most * most * of.count;
+}
+
+Result<void> ColumnPrecision::check_as(const ColumnText& text, std::string_view where) const {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (!loses(i)) continue;
+    const Column& column = columns_[i];
+    const float near = std::fabs(static_cast<float>(column.example));
+    return fail(
+        ErrorKind::kData,
+        fmt::format("{} loses precision: 32-bit numbers near {} are {:g} apart, "
+                    "and its standard deviation is {:g}",
+                    text(i), column.example, std::nextafter(near, INFINITY) - near, deviation(i)),
+        std::string(where), "subtract an offset from it, or leave it out");
+  }
+  return {};
 }
 
 Result<void> ColumnPrecision::check(const std::vector<std::string>& names,
                                     std::string_view where) const {
-  constexpr double kTolerated = 1.0 / 20;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const Column& column = columns_[i];
-    if (column.lost <= kTolerated * kTolerated * column.squares || column.squares <= 0.0) continue;
-    const std::string name = i < names.size() ? fmt::format(" ({})", shown(names[i])) : "";
-    return fail(
-        ErrorKind::kData,
-        fmt::format("column {}{} loses precision: 32-bit numbers near {} are {:g} apart, "
-                    "and its standard deviation is {:g}",
-                    i + 1, name, column.example,
-                    std::nextafter(std::fabs(static_cast<float>(column.example)), INFINITY) -
-                        std::fabs(static_cast<float>(column.example)),
-                    std::sqrt(column.squares / column.count)),
-        std::string(where), "subtract an offset from it, or leave it out");
+  const auto text = [&](std::size_t column) {
+    const std::string name =
+        column < names.size() ? fmt::format(" ({})", shown(names[column])) : std::string();
+    return fmt::format("column {}{}", column + 1, name);
+  };
+  return check_as(text, where);
+}
+
+std::vector<double> ColumnPrecision::statistics() const {
+  std::vector<double> all;
+  for (const Column& of : columns_) {
+    all.insert(all.end(), {of.count, of.mean, of.squares, of.lost, of.example});
   }
-  return {};
+  return all;
+}
+
+ColumnPrecision ColumnPrecision::with(const std::vector<double>& statistics) {
+  constexpr std::size_t kOfColumn = 5;
+  require(statistics.size() % kOfColumn == 0, "a column has five statistics");
+  ColumnPrecision made;
+  for (std::size_t i = 0; i < statistics.size(); i += kOfColumn) {
+    made.columns_.push_back({statistics[i], statistics[i + 1], statistics[i + 2], statistics[i + 3],
+                             statistics[i + 4]});
+  }
+  return made;
+}
+
+std::vector<double> ColumnPrecision::deviations() const {
+  std::vector<double> deviations;
+  deviations.reserve(columns_.size());
+  for (const Column& column : columns_) {
+    deviations.push_back(column.count > 0.0 ? std::sqrt(column.squares / column.count) : 0.0);
+  }
+  return deviations;
 }
 
 }  // namespace somato

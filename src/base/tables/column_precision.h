@@ -1,25 +1,50 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "somato/core/result.h"
+#include "somato/files/csv.h"
 
 namespace somato {
 
-/// Checks the loss of single precision in the columns of a table: times since 1970, for example,
-/// are equal within minutes.
+/// Checks the loss of single precision in columns of numbers: times since 1970, for example, are
+/// equal within minutes.
 class ColumnPrecision {
  public:
-  /// Adds a number of a column, as in the file and as stored.
+  /// The name of a column in a message.
+  using ColumnText = std::function<std::string(std::size_t column)>;
+
+  ColumnPrecision() = default;
+
+  /// `scales` are those of columns whose deviation is known before; see check().
+  explicit ColumnPrecision(std::vector<ColumnScale> scales) : scales_(std::move(scales)) {}
+
+  /// Adds a number of a column, as it was and as stored.
   void take(std::size_t column, double exact, float kept);
 
+  /// Adds numbers that are 0.
+  void take_zeros(std::size_t column, std::size_t count);
+
   /// Fails (kData) when what rounding changes in a column has a root mean square above a twentieth
-  /// of the column's standard deviation; a column without deviation keeps all there is. `names` may
-  /// be empty.
+  /// of the column's standard deviation, or of the deviation that is known, if that is greater; a
+  /// column without deviation keeps all there is. `names` may be empty.
   Result<void> check(const std::vector<std::string>& names, std::string_view where) const;
+  Result<void> check_as(const ColumnText& text, std::string_view where) const;
+
+  /// The standard deviation of each column, of the exact numbers.
+  std::vector<double> deviations() const;
+
+  /// All statistics as numbers, and the object that has them.
+  std::vector<double> statistics() const;
+  static ColumnPrecision with(const std::vector<double>& statistics);
+
+  /// The same statistics with other scales.
+  void know(std::vector<ColumnScale> scales) { scales_ = std::move(scales); }
 
  private:
   struct Column {
@@ -30,6 +55,11 @@ class ColumnPrecision {
     double example = 0.0;
   };
 
+  Column& at(std::size_t column);
+  double deviation(std::size_t column) const;
+  bool loses(std::size_t column) const;
+
+  std::vector<ColumnScale> scales_;
   std::vector<Column> columns_;
 };
 

@@ -68,7 +68,7 @@ Result<void> CsvTableReader::skip_to(std::size_t begin) {
 
 Result<void> CsvTableReader::continue_with(CsvRecords records) {
   records_ = std::move(records);
-  precision_ = {};
+  precision_ = ColumnPrecision(columns_.scales);
   return next();
 }
 
@@ -124,7 +124,10 @@ Result<void> CsvTableReader::find_label_column() {
 
 Result<void> CsvTableReader::choose() {
   return choose_columns(options_.columns, std::move(columns_), where_)
-      .map([&](TableColumns&& chosen) { columns_ = std::move(chosen); });
+      .map([&](TableColumns&& chosen) {
+        columns_ = std::move(chosen);
+        precision_ = ColumnPrecision(columns_.scales);
+      });
 }
 
 Result<void> CsvTableReader::read_first_record() {
@@ -188,7 +191,13 @@ Result<void> CsvTableReader::read_value(std::size_t column, float& value) {
   }
   if (reading.meaning != CsvMeaning::kNumber) return fail(no_number(column, reading.meaning));
   value = reading.number;
-  if (!trusts_precision_) precision_.take(column, exact_number(with_point(field), value), value);
+  const bool moved = without_offset(columns_, column, 0.0) != 0.0;
+  if (trusts_precision_ && !moved) return {};
+  double exact = moved ? read_csv_number<double>(with_point(field)).number
+                       : exact_number(with_point(field), value);
+  exact = without_offset(columns_, column, exact);
+  if (moved) value = static_cast<float>(exact);
+  if (!trusts_precision_) precision_.take(column, exact, value);
   return {};
 }
 

@@ -187,6 +187,17 @@ Result<Columns> pick(const std::vector<std::string>& features, const TableColumn
   return picked;
 }
 
+std::vector<ColumnScale> scales_by_column(const std::vector<ColumnScale>& scales,
+                                          const Columns& features) {
+  std::vector<ColumnScale> by_column;
+  if (scales.size() != 1 && scales.size() != features.size()) return by_column;
+  by_column.resize(*std::max_element(features.begin(), features.end()) + 1);
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    by_column[features[i]] = scales[scales.size() == 1 ? 0 : i];
+  }
+  return by_column;
+}
+
 }  // namespace
 
 std::vector<std::string> TableColumns::feature_names() const {
@@ -223,11 +234,20 @@ Result<TableColumns> choose_columns(const ColumnChoice& choice, TableColumns tab
         std::string(where),
         chosen ? "use more columns, or skip fewer" : "check the separator and the label column");
   }
-  if (choice.features.empty() || table.names.empty()) return table;
-  return pick(choice.features, table, where).map([&](Columns&& picked) {
-    table.features = std::move(picked);
-    return std::move(table);
-  });
+  if (!choice.features.empty() && !table.names.empty()) {
+    SOMATO_TRY(table.features, pick(choice.features, table, where));
+  }
+  table.scales = scales_by_column(choice.scales, table.features);
+  return table;
+}
+
+double without_offset(const TableColumns& table, std::size_t column, double number) {
+  return column < table.scales.size() ? number - table.scales[column].offset : number;
+}
+
+bool has_offsets(const TableColumns& table) {
+  return std::any_of(table.scales.begin(), table.scales.end(),
+                     [](const ColumnScale& scale) { return scale.offset != 0.0; });
 }
 
 bool leaves_out_number(const ColumnChoice& choice, std::size_t column) {

@@ -17,6 +17,7 @@ struct TableColumns {
   std::vector<std::string> names;     ///< Names of all columns; empty if they have none.
   std::optional<std::size_t> label;   ///< The column with labels.
   std::vector<std::size_t> features;  ///< The columns of the features, in order.
+  std::vector<ColumnScale> scales;    ///< By column; columns without one are read as they are.
 
   /// Names of the features; empty if columns have no names.
   std::vector<std::string> feature_names() const;
@@ -32,6 +33,12 @@ struct TableColumns {
 /// column of `choice.features` is missing or ambiguous.
 Result<TableColumns> choose_columns(const ColumnChoice& choice, TableColumns table,
                                     std::string_view where);
+
+/// The number without the offset of its column.
+double without_offset(const TableColumns& table, std::size_t column, double number);
+
+/// Whether the columns have offsets.
+bool has_offsets(const TableColumns& table);
 
 /// Whether `choice` skips `column` of a table without names.
 bool leaves_out_number(const ColumnChoice& choice, std::size_t column);

@@ -55,7 +55,7 @@ Result<void> check_takes_incomplete(const Som& som) {
   return fail(ErrorKind::kUsage,
               euclidean ? "the map scales rows to length 1, which missing values leave unknown"
                         : "the map compares by inner products, which missing values leave unknown",
-              {}, "pass --missing mean");
+              {}, "use the means of the columns");
 }
 
 Samples filled_from_winners(const Som& som, const Samples& samples) {

@@ -138,6 +138,23 @@ Result<Standardization> Standardization::fit(SampleSource& samples,
   return fitted;
 }
 
+std::vector<double> Standardization::offsets() const {
+  // Up to here rounding changes a number by at most 3e-5 deviations.
+  constexpr double kFar = 1000.0;
+  std::vector<double> offsets(means.size(), 0.0);
+  for (std::size_t d = 0; d < means.size(); ++d) {
+    if (std::fabs(means[d]) > kFar * deviations[d]) offsets[d] = means[d];
+  }
+  return offsets;
+}
+
+Standardization Standardization::without(std::span<const double> offsets) const {
+  require(offsets.size() == means.size(), "a standardization needs one offset for each column");
+  Standardization moved = *this;
+  for (std::size_t d = 0; d < means.size(); ++d) moved.means[d] -= offsets[d];
+  return moved;
+}
+
 void Standardization::apply(const SignalView& sample, std::span<float> out) const {
   require(sample.size == means.size(), "a standardization was fitted to another number of columns");
   write_dense(sample, out);

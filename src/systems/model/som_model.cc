@@ -25,7 +25,8 @@ const std::set<std::string> kKnownParts{kSomPrefix + "parameters",
                                         "standardization",
                                         "classes",
                                         "labels",
-                                        "means"};
+                                        "means",
+                                        "samples_seen"};
 
 // A list of names as a line of TOML, so that a name may hold anything.
 std::string names_to_toml(const std::vector<std::string>& names) {
@@ -94,6 +95,17 @@ Result<void> read_means(const Archive& archive, const std::string& where, SomMod
   return {};
 }
 
+Result<void> read_samples_seen(const Archive& archive, const std::string& where, SomModel& model) {
+  if (!archive.find("samples_seen")) return {};
+  SOMATO_TRY(const auto array, archive.get<Array<std::int64_t>>("samples_seen", where));
+  const bool possible = array->shape == std::vector<std::uint64_t>{1} && array->values[0] >= 0 &&
+                        model.som.parameters().training == Training::kOnline;
+  if (!possible) return damaged_model("the number of samples seen does not fit the map", where);
+  model.samples_seen = static_cast<std::uint64_t>(array->values[0]);
+  if (model.samples_seen != model.som.parameters().iterations) return {};
+  return damaged_model("the number of samples seen is that of the parameters", where);
+}
+
 Result<void> read_labels(const Archive& archive, const std::string& where, SomModel& model) {
   if (model.classes.empty() && !archive.find("labels")) return {};
   SOMATO_TRY(auto labels, labels_from(archive, model.som.neurons(), model.classes.size(), where));
@@ -136,6 +148,10 @@ Archive archive_of(const SomModel& model) {
   if (!model.means.empty()) {
     archive.add("means", Array<double>{{model.means.size()}, model.means});
   }
+  if (model.samples_seen && model.samples_seen != model.som.parameters().iterations) {
+    archive.add("samples_seen",
+                Array<std::int64_t>{{1}, {static_cast<std::int64_t>(*model.samples_seen)}});
+  }
   return archive;
 }
 
@@ -152,10 +168,51 @@ Result<SomModel> som_model_in(const Archive& archive, const std::string& where) 
   SOMATO_TRY_VOID(read_standardization(archive, where, model));
   SOMATO_TRY_VOID(read_labels(archive, where, model));
   SOMATO_TRY_VOID(read_means(archive, where, model));
+  SOMATO_TRY_VOID(read_samples_seen(archive, where, model));
   return model;
 }
 
+// The standard deviation of an element of the weights of all neurons.
+double deviation_of(const Som& som, std::size_t element) {
+  const auto neurons = static_cast<double>(som.neurons());
+  double mean = 0.0;
+  for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
+    mean += double{som.weight(neuron, element)} / neurons;
+  }
+  double squares = 0.0;
+  for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
+    const double difference = double{som.weight(neuron, element)} - mean;
+    squares += difference * difference;
+  }
+  return std::sqrt(squares / neurons);
+}
+
 }  // namespace
+
+std::vector<ColumnScale> SomModel::scales() const {
+  std::vector<ColumnScale> scales(som.input_size());
+  if (!standardization) {
+    if (som.parameters().normalize_input.value_or(false)) return scales;
+    for (std::size_t d = 0; d < scales.size(); ++d) scales[d].deviation = deviation_of(som, d);
+    return scales;
+  }
+  const std::vector<double> offsets = standardization->offsets();
+  for (std::size_t d = 0; d < scales.size(); ++d) {
+    scales[d] = {offsets[d], standardization->deviations[d]};
+  }
+  return scales;
+}
+
+void SomModel::subtract_offsets() {
+  if (!standardization) return;
+  const std::vector<double> offsets = standardization->offsets();
+  standardization = standardization->without(offsets);
+  for (std::size_t d = 0; d < means.size(); ++d) means[d] -= offsets[d];
+}
+
+std::uint64_t SomModel::seen() const {
+  return samples_seen.value_or(som.parameters().iterations.value_or(0));
+}
 
 std::vector<double> SomModel::fill_values() const {
   return means.empty() && standardization ? standardization->means : means;

@@ -115,7 +115,7 @@ Result<std::vector<double>> KnownValues::means(const std::vector<std::string>& n
                   names.empty() ? fmt::format("column {} has no known value", column + 1)
                                 : fmt::format("column {} ('{}') has no known value", column + 1,
                                               names[column]),
-                  {}, "leave the column out with --skip");
+                  {}, "leave the column out");
     }
     means[column] = sums_[column] / static_cast<double>(known_[column]);
   }
@@ -167,7 +167,7 @@ Result<Samples> filled_from_nearest(const Samples& samples, std::span<const doub
   if (complete.empty()) {
     return fail(ErrorKind::kData,
                 "no row is complete, so missing values cannot be filled from the nearest row", {},
-                "use --missing mean, or leave columns out with --skip");
+                "use the means of the columns, or leave columns out");
   }
   for (std::size_t done = 0; done < incomplete.size(); ++done) {
     const std::span<float> row = rows.row(incomplete[done]);

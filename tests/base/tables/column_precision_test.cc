@@ -1,7 +1,9 @@
 #include "base/tables/column_precision.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/numbers/number_source.h"
 #include "somato/files/csv.h"
 #include "somato/files/npy.h"
 
@@ -42,6 +44,74 @@ TEST(ColumnPrecision, IsKeptWhereRoundingIsSmallBesideTheColumn) {
 TEST(ColumnPrecision, IsLostBelowTwentyTimesWhatRoundingChanges) {
   EXPECT_NE(precision_error(1700000000, 1, 2300), "");
   EXPECT_EQ(precision_error(1700000000, 1, 2800), "");
+}
+
+// A hand at rest: 32-bit numbers near 90 are 7.6e-6 apart.
+TEST(ColumnPrecision, MattersOnlyBesideADeviationThatIsKnown) {
+  for (const double known : {0.0, 10.0}) {
+    ColumnPrecision precision({{0.0, known}});
+    for (const double number : {90.000001, 90.000002, 90.000004}) {
+      precision.take(0, number, static_cast<float>(number));
+    }
+    EXPECT_EQ(precision.check({}, "").has_value(), known > 0.0);
+  }
+  ColumnPrecision one({{0.0, 1.0}});
+  one.take(0, 1e8 + 3, static_cast<float>(1e8 + 3));  // 32-bit numbers there are 8 apart
+  EXPECT_FALSE(one.check({}, ""));
+}
+
+TEST(ColumnPrecision, CountsZerosAsNumbers) {
+  ColumnPrecision one_by_one;
+  ColumnPrecision together;
+  for (const double number : {3.0, 5.0, 10.0}) {
+    one_by_one.take(0, number, static_cast<float>(number));
+    together.take(0, number, static_cast<float>(number));
+  }
+  for (int i = 0; i < 4; ++i) one_by_one.take(0, 0.0, 0.0F);
+  together.take_zeros(0, 4);
+  together.take_zeros(0, 0);
+  EXPECT_DOUBLE_EQ(together.deviations()[0], one_by_one.deviations()[0]);
+}
+
+TEST(ColumnPrecision, ContinuesWithItsStatistics) {
+  ColumnPrecision all;
+  ColumnPrecision first;
+  for (int i = 0; i < 10; ++i) {
+    const double number = 1700000000.0 + i;
+    all.take(0, number, static_cast<float>(number));
+    if (i < 4) first.take(0, number, static_cast<float>(number));
+  }
+  ColumnPrecision next = ColumnPrecision::with(first.statistics());
+  for (int i = 4; i < 10; ++i) {
+    const double number = 1700000000.0 + i;
+    next.take(0, number, static_cast<float>(number));
+  }
+  EXPECT_EQ(next.statistics(), all.statistics());
+  EXPECT_FALSE(next.check({}, ""));
+}
+
+// Seconds since 1970, in text with fractions that are multiples of 1/8.
+TEST(ColumnPrecision, IsKeptOfNumbersWithoutTheirOffset) {
+  std::string text = "t,v\n";
+  std::vector<std::int64_t> numbers;
+  for (int i = 0; i < 20; ++i) {
+    text += fmt::format("{:.3f},{}\n", 1700000000 + 0.125 * i, i);
+    numbers.push_back(1700000000 + i);
+  }
+  CsvOptions options;
+  options.columns.scales = {{1700000000.0, 0.0}, {0.0, 0.0}};
+  const auto table = parse_csv(text, "ts.csv", options);
+  ASSERT_TRUE(table) << to_string(table.error());
+  options.columns.scales.pop_back();
+  const auto source = numbers_in(encode_npy(numbers), "ts.npy", options);
+  ASSERT_TRUE(source);
+  const auto part = (*source)->next_part();
+  ASSERT_TRUE(part) << to_string(part.error());
+  for (std::size_t i = 0; i < 20; ++i) {
+    EXPECT_EQ(table->values(i, 0), 0.125F * static_cast<float>(i));
+    EXPECT_EQ(table->values(i, 1), static_cast<float>(i));
+    EXPECT_EQ((*part)->samples[i].values[0], static_cast<float>(i));
+  }
 }
 
 TEST(ColumnPrecision, IsLookedAtInTextAndInNpy) {

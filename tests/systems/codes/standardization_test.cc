@@ -42,6 +42,16 @@ TEST(Standardization, AppliesToSamplesItHasNotSeen) {
   EXPECT_EQ(row(applied, 1), (std::vector<float>{3.5F, 0.25F}));
 }
 
+// Means of 5 and 5000 deviations.
+TEST(Standardization, SubtractsOnlyMeansThatLieFarFromZero) {
+  const Standardization fitted{{10.0, -10000.0, 7.0}, {2.0, 2.0, 0.0}};
+  EXPECT_EQ(fitted.offsets(), (std::vector<double>{0.0, -10000.0, 7.0}));
+  const Standardization moved = fitted.without(fitted.offsets());
+  EXPECT_EQ(moved.means, (std::vector<double>{10.0, 0.0, 0.0}));
+  EXPECT_EQ(moved.deviations, fitted.deviations);
+  EXPECT_THROW((void)fitted.without(std::vector<double>{1.0}), InvalidArgument);
+}
+
 TEST(Standardization, ReadsSparseSamplesAsDenseOnes) {
   const std::vector<Signal> sparse{Signal::sparse({3}, {0, 2}, {1.0F, 4.0F}),
                                    Signal::sparse({3}, {1}, {6.0F}),

@@ -136,6 +136,34 @@ TEST(SomModel, FillsWithItsMeansOrThoseOfItsStandardization) {
   EXPECT_TRUE(model.fill_values().empty());
 }
 
+TEST(SomModel, IsSavedWithTheSamplesItHasSeenUnlessTheseAreItsIterations) {
+  SomModel model = small_model();
+  const std::uint64_t iterations = *model.som.parameters().iterations;
+  const std::string whole = encode_som_model(model);
+  EXPECT_EQ(model.seen(), iterations);
+  model.samples_seen = iterations;
+  EXPECT_EQ(encode_som_model(model), whole);  // as files of earlier versions
+  for (const std::uint64_t seen : {std::uint64_t{0}, iterations - 1, iterations + 1}) {
+    model.samples_seen = seen;
+    EXPECT_EQ(decode_som_model(encode_som_model(model), "bytes")->seen(), seen);
+  }
+}
+
+TEST(SomModel, KnowsTheScalesOfItsColumns) {
+  SomModel model = small_model();
+  model.standardization = Standardization{{1, 2000, 3}, {0.5, 0.25, 2}};
+  model.means = {4, 2001, 6};
+  EXPECT_EQ(model.scales()[0].offset, 0.0);
+  EXPECT_EQ(model.scales()[1].offset, 2000.0);
+  EXPECT_EQ(model.scales()[1].deviation, 0.25);
+  model.subtract_offsets();
+  EXPECT_EQ(model.standardization->means, (std::vector<double>{1, 0, 3}));
+  EXPECT_EQ(model.means, (std::vector<double>{4, 1, 6}));
+  model.standardization.reset();
+  EXPECT_EQ(model.scales()[0].offset, 0.0);
+  EXPECT_EQ(model.scales()[0].deviation, 1.5);  // of the weights 0 and 3
+}
+
 TEST(SomModel, RefusesToSaveWhatCouldNotBeLoaded) {
   const TemporaryFolder folder;
   const auto refused = [&](const auto& spoil) {
@@ -232,6 +260,14 @@ TEST(SomModel, RefusesMeansThatCannotBe) {
   expect_part_refused("means", Array<double>{{1, 3}, {1, 2, 3}}, "the means do not fit");
   expect_part_refused("means", Array<double>{{3}, {1, 2, std::nan("")}}, "an invalid number");
   expect_part_refused("means", Array<float>{{3}, {1, 2, 3}}, "another type");
+}
+
+TEST(SomModel, RefusesNumbersOfSamplesThatCannotBe) {
+  const auto iterations = static_cast<std::int64_t>(*small_model().som.parameters().iterations);
+  expect_part_refused("samples_seen", Array<std::int64_t>{{2}, {1, 2}}, "does not fit the map");
+  expect_part_refused("samples_seen", Array<std::int64_t>{{1}, {-1}}, "does not fit the map");
+  expect_part_refused("samples_seen", Array<std::int64_t>{{1}, {iterations}}, "of the parameters");
+  expect_part_refused("samples_seen", Array<double>{{1}, {1}}, "another type");
 }
 
 TEST(SomModel, RefusesAStandardizationThatCannotBe) {

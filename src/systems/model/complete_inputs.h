@@ -1,0 +1,18 @@
+#pragma once
+
+#include "somato/core/result.h"
+#include "somato/core/samples.h"
+#include "somato/graph/som_model.h"
+#include "systems/signals/missing_values.h"
+
+namespace somato {
+
+/// Whether missing values of data for the model's map can be treated in this way. Errors (kUsage):
+/// the model has no means of its training data, or those of check_takes_incomplete().
+Result<void> check_fills(const SomModel& model, MissingFill missing);
+
+/// The samples, of which values may be missing (NaN) unless they are refused, as inputs of the
+/// model's map. The model must pass check_fills().
+Samples complete_inputs(const SomModel& model, MissingFill missing, const Samples& samples);
+
+}  // namespace somato
