@@ -9,6 +9,7 @@ void bind_codes(nanobind::module_& module);
 void bind_explore(nanobind::module_& module);
 void bind_map(nanobind::module_& module);
 void bind_pictures(nanobind::module_& module);
+void bind_rounding(nanobind::module_& module);
 void bind_recording(nanobind::module_& module);
 void bind_study(nanobind::module_& module);
 void bind_system(nanobind::module_& module);

@@ -2,6 +2,8 @@
 
 #include <exception>
 
+#include "somato/core/check.h"
+
 namespace somato::python {
 namespace {
 
@@ -27,6 +29,8 @@ void register_failures() {
       std::rethrow_exception(thrown);
     } catch (const Failure& failure) {
       raise(failure.error);
+    } catch (const InvalidArgument& error) {
+      raise({ErrorKind::kUsage, error.what(), {}, {}});
     }
   });
 }

@@ -20,6 +20,7 @@
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
+#include "systems/model/complete_inputs.h"
 
 namespace somato::python {
 namespace {
@@ -62,7 +63,7 @@ void for_each_part(const SomModel& model, const SampleRows& rows, Interrupts& in
                    const std::function<void(const Samples&, std::size_t first)>& work) {
   for (std::size_t first = 0; first < rows.count() && interrupts.proceed(); first += kRowsAtOnce) {
     const std::size_t count = std::min(kRowsAtOnce, rows.count() - first);
-    const Samples part = model.prepare(rows.part(first, count));
+    const Samples part = complete_inputs(model, rows.missing(), rows.part(first, count));
     for (std::size_t i = 0; i < count; ++i) value_or_throw(check_row(part[i], first + i));
     work(part, first);
   }
@@ -80,7 +81,17 @@ void unlocked(const std::function<void(Interrupts&)>& work) {
 
 }  // namespace
 
-Map::Map(SomModel model) : model_(std::move(model)) {}
+Map::Map(SomModel model) : model_(std::move(model)) {
+  if (!model_.standardization) return;
+  const std::vector<double> offsets = model_.standardization->offsets();
+  if (std::all_of(offsets.begin(), offsets.end(), [](double one) { return one == 0.0; })) return;
+  moved_ = model_;
+  moved_->subtract_offsets();
+}
+
+const SomModel& Map::taking(const SampleRows& rows) const {
+  return rows.is_moved() && moved_ ? *moved_ : model_;
+}
 
 Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threads) {
   const SomParameters parameters = checked_parameters(values);
@@ -91,23 +102,25 @@ Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threa
     if (!trained && trained.error().kind == ErrorKind::kInterrupted) return;
     som = apart_from_samples(value_or_throw(std::move(trained)));
   });
-  return Map(SomModel{std::move(som), {}, {}, {}, {}});
+  return Map(SomModel{std::move(som), {}, {}, {}, {}, rows.means()});
 }
 
 Map Map::initial(const nb::dict& values, const SampleRows& rows) {
   Som som =
       apart_from_samples(value_or_throw(untrained_som(checked_parameters(values), rows.all())));
-  return Map(SomModel{std::move(som), {}, {}, {}, {}});
+  return Map(SomModel{std::move(som), {}, {}, {}, {}, rows.means(), 0});
 }
 
-Map Map::learned(const SampleRows& rows, std::uint64_t done, std::size_t threads) const {
-  check_columns(rows);
+Map Map::learned(const SampleRows& rows, std::size_t threads) const {
+  check_rows(rows);
   SomModel changed = model_;
+  const std::uint64_t done = changed.seen();
+  changed.samples_seen = done + rows.count();
   const Schedule rate = changed.som.parameters().learning_rate();
   const Schedule radius = changed.som.parameters().radius();
   unlocked([&](Interrupts& interrupts) {
     SomLearner learner(changed.som, threads);
-    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
+    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
       std::vector<SignalView> inputs(part.count());
       std::vector<LearningStep> steps(part.count());
       for (std::size_t i = 0; i < part.count(); ++i) {
@@ -134,8 +147,13 @@ Map Map::named(std::vector<std::string> features) const {
   return Map(std::move(changed));
 }
 
-void Map::check_columns(const SampleRows& rows) const {
-  if (rows.columns() == model_.som.input_size()) return;
+void Map::check_rows(const SampleRows& rows) const {
+  if (rows.columns() == model_.som.input_size()) {
+    Result<void> fills = check_fills(model_, rows.missing());
+    if (!fills) fills.error().where = "SOM(missing)";
+    value_or_throw(std::move(fills));
+    return;
+  }
   throw Failure{Error{ErrorKind::kData,
                       fmt::format("the data have {} columns, but the map requires {}",
                                   rows.columns(), model_.som.input_size()),
@@ -143,10 +161,10 @@ void Map::check_columns(const SampleRows& rows) const {
 }
 
 nb::object Map::winners(const SampleRows& rows, std::size_t threads) const {
-  check_columns(rows);
+  check_rows(rows);
   std::vector<std::int64_t> winners(rows.count());
   unlocked([&](Interrupts& interrupts) {
-    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
+    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
       const auto found = winners_of(model_.som, part, threads);
       std::copy(found.begin(), found.end(), winners.begin() + static_cast<std::ptrdiff_t>(first));
     });
@@ -155,11 +173,11 @@ nb::object Map::winners(const SampleRows& rows, std::size_t threads) const {
 }
 
 nb::object Map::activity(const SampleRows& rows, std::size_t threads) const {
-  check_columns(rows);
+  check_rows(rows);
   const std::size_t neurons = model_.som.neurons();
   std::vector<float> activity(rows.count() * neurons);
   unlocked([&](Interrupts& interrupts) {
-    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
+    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
       for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
         SomWorkspace workspace;
         for (std::size_t i = begin; i < end; ++i) {
@@ -174,10 +192,10 @@ nb::object Map::activity(const SampleRows& rows, std::size_t threads) const {
 }
 
 nb::object Map::classes(const SampleRows& rows, std::size_t threads) const {
-  check_columns(rows);
+  check_rows(rows);
   std::vector<std::int64_t> classes(rows.count());
   unlocked([&](Interrupts& interrupts) {
-    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t first) {
+    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
       for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
         SomWorkspace workspace;
         for (std::size_t i = begin; i < end; ++i) {
@@ -191,13 +209,13 @@ nb::object Map::classes(const SampleRows& rows, std::size_t threads) const {
 }
 
 nb::tuple Map::quality(const SampleRows& rows, std::size_t threads) const {
-  check_columns(rows);
+  check_rows(rows);
   SomQuality quality;
   std::vector<std::int64_t> winners;
   winners.reserve(rows.count());
   unlocked([&](Interrupts& interrupts) {
     SomQualityMeasurement measurement(model_.som, threads);
-    for_each_part(model_, rows, interrupts, [&](const Samples& part, std::size_t /*first*/) {
+    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t /*first*/) {
       const auto found = measurement.add(part);
       winners.insert(winners.end(), found.begin(), found.end());
     });
@@ -240,6 +258,16 @@ nb::object Map::cells() const {
   return array_of(std::move(corners), shape);
 }
 
+std::vector<double> Map::offsets() const {
+  return moved_ ? model_.standardization->offsets() : std::vector<double>();
+}
+
+const std::vector<double>& Map::deviations() const {
+  if (!deviations_.empty()) return deviations_;
+  for (const ColumnScale& scale : model_.scales()) deviations_.push_back(scale.deviation);
+  return deviations_;
+}
+
 void bind_map(nb::module_& module) {
   bind_sample_rows(module);
   module.def(
@@ -249,7 +277,7 @@ void bind_map(nb::module_& module) {
   nb::class_<Map>(module, "Map", "A trained map, as model files contain it.")
       .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows"), nb::arg("threads"))
       .def_static("initial", &Map::initial, nb::arg("parameters"), nb::arg("rows"))
-      .def("learned", &Map::learned, nb::arg("rows"), nb::arg("done"), nb::arg("threads"))
+      .def("learned", &Map::learned, nb::arg("rows"), nb::arg("threads"))
       .def("labelled", &Map::labelled, nb::arg("names"), nb::arg("winners").noconvert(),
            nb::arg("classes").noconvert())
       .def("named", &Map::named, nb::arg("features"))
@@ -262,6 +290,9 @@ void bind_map(nb::module_& module) {
       .def("cells", &Map::cells)
       .def_prop_ro("parameters",
                    [](const Map& map) { return dict_of(map.model().som.parameters()); })
+      .def_prop_ro("samples_seen", [](const Map& map) { return map.model().seen(); })
+      .def("offsets", &Map::offsets)
+      .def("deviations", &Map::deviations)
       .def_prop_ro("features", [](const Map& map) { return map.model().features; })
       .def_prop_ro("class_names", [](const Map& map) { return map.model().classes; })
       .def_prop_ro("input_size", [](const Map& map) { return map.model().som.input_size(); })

@@ -27,9 +27,9 @@ class Map {
   /// The initial map for rows.
   static Map initial(const nanobind::dict& parameters, const SampleRows& rows);
 
-  /// A copy of the map that has learned the rows once each, in their order, as the samples after
-  /// the first `done` ones.
-  Map learned(const SampleRows& rows, std::uint64_t done, std::size_t threads) const;
+  /// A copy of the map that has learned the rows once each, in their order, after the samples that
+  /// it has seen.
+  Map learned(const SampleRows& rows, std::size_t threads) const;
 
   /// A copy of the map whose neurons are named by the classes of their samples.
   Map labelled(const std::vector<std::string>& names, const Numbers<std::int64_t>& winners,
@@ -45,6 +45,12 @@ class Map {
   /// Quantization error, topographic error, hits and winners.
   nanobind::tuple quality(const SampleRows& rows, std::size_t threads) const;
 
+  /// The offset of each column that is subtracted before numbers are rounded; empty if all are 0.
+  std::vector<double> offsets() const;
+
+  /// The deviation of each column that is known; see SomModel::scales().
+  const std::vector<double>& deviations() const;
+
   nanobind::object weights() const;
   nanobind::object u_matrix() const;
 
@@ -55,9 +61,14 @@ class Map {
   const SomModel& model() const { return model_; }
 
  private:
-  void check_columns(const SampleRows& rows) const;
+  void check_rows(const SampleRows& rows) const;
+
+  // That which takes the rows.
+  const SomModel& taking(const SampleRows& rows) const;
 
   SomModel model_;
+  std::optional<SomModel> moved_;           // the same without offsets, if it has offsets
+  mutable std::vector<double> deviations_;  // once they have been used
 };
 
 }  // namespace somato::python

@@ -5,14 +5,22 @@
 #include <span>
 #include <utility>
 
+#include "errors.h"
+#include "interrupts.h"
+#include "nanobind/stl/string.h"
 #include "somato/core/check.h"
+#include "somato/core/parameter.h"
 
 namespace somato::python {
 
 namespace nb = nanobind;
 
-SampleRows::SampleRows(Rows dense)
-    : count_(dense.shape(0)), columns_(dense.shape(1)), dense_(std::move(dense)) {}
+SampleRows::SampleRows(Rows dense, const std::string& missing, bool is_moved)
+    : count_(dense.shape(0)),
+      columns_(dense.shape(1)),
+      missing_(value_or_throw(choice_named<MissingFill>("missing", missing, "SOM(missing)"))),
+      is_moved_(is_moved),
+      dense_(std::move(dense)) {}
 
 SampleRows::SampleRows(std::size_t columns, Numbers<std::int64_t> starts,
                        Numbers<std::uint32_t> elements, Numbers<float> values)
@@ -54,10 +62,51 @@ Samples SampleRows::part(std::size_t first, std::size_t count) const {
   return rows.samples();
 }
 
+namespace {
+
+Result<Samples> from_nearest(const Samples& samples) {
+  Interrupts interrupts;
+  Result<Samples> filled;
+  {
+    const nb::gil_scoped_release released;
+    filled = filled_from_nearest(samples, {}, interrupts.progress());
+  }
+  interrupts.throw_raised();
+  return filled;
+}
+
+Rows rows_of(const Samples& samples) {
+  std::vector<float> values(samples.count() * samples.size());
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    write_dense(samples[i], std::span(values).subspan(i * samples.size(), samples.size()));
+  }
+  const std::size_t shape[] = {samples.count(), samples.size()};
+  return nb::cast<Rows>(array_of(std::move(values), shape));
+}
+
+}  // namespace
+
+SampleRows SampleRows::filled() const {
+  SampleRows whole = *this;
+  whole.missing_ = MissingFill::kRefuse;
+  if (missing_ == MissingFill::kRefuse) return whole;
+  const Samples samples = all();
+  KnownValues known;
+  value_or_throw(known.take(samples));
+  const std::vector<double> means = value_or_throw(known.means({}));
+  if (missing_ == MissingFill::kMean) whole.means_ = means;
+  if (known.missing() == 0) return whole;
+  whole.dense_ = rows_of(missing_ == MissingFill::kMean ? filled_with(means, samples)
+                                                        : value_or_throw(from_nearest(samples)));
+  return whole;
+}
+
 void bind_sample_rows(nb::module_& module) {
   nb::class_<SampleRows>(module, "SampleRows", "Samples of a map, dense or sparse, not copied.")
       .def("__len__", &SampleRows::count)
-      .def(nb::init<Rows>(), nb::arg("rows").noconvert())
+      .def("filled", &SampleRows::filled)
+      .def(nb::init<Rows, const std::string&, bool>(), nb::arg("rows").noconvert(),
+           nb::arg("missing") = "refuse", nb::arg("is_moved") = false)
       .def(nb::init<std::size_t, Numbers<std::int64_t>, Numbers<std::uint32_t>, Numbers<float>>(),
            nb::arg("columns"), nb::arg("starts").noconvert(), nb::arg("elements").noconvert(),
            nb::arg("values").noconvert());

@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "arrays.h"
 #include "nanobind/nanobind.h"
 #include "somato/core/samples.h"
+#include "systems/signals/missing_values.h"
 
 namespace somato::python {
 
@@ -13,7 +16,9 @@ namespace somato::python {
 /// arrays are not copied and exist as long as this object.
 class SampleRows {
  public:
-  explicit SampleRows(Rows dense);
+  /// `missing` is the treatment of missing values, NaN; `is_moved`: the offsets of the map's
+  /// columns have been subtracted (SomModel::scales()).
+  explicit SampleRows(Rows dense, const std::string& missing, bool is_moved);
 
   /// Row i has the values from starts[i] to starts[i + 1]; `elements` are their columns, ascending
   /// in each row. Throws InvalidArgument for arrays that contradict each other.
@@ -22,6 +27,15 @@ class SampleRows {
 
   std::size_t count() const { return count_; }
   std::size_t columns() const { return columns_; }
+  MissingFill missing() const { return missing_; }
+  bool is_moved() const { return is_moved_; }
+
+  /// The rows for a training that begins: missing values are filled as `somato som train` does.
+  /// Throws Failure if that is not possible.
+  SampleRows filled() const;
+
+  /// The means of the columns, if missing values were filled with them; otherwise empty.
+  const std::vector<double>& means() const { return means_; }
 
   /// `count` rows from `first` on: a view of dense rows, a copy of sparse ones. Valid during the
   /// lifetime of this object.
@@ -36,6 +50,9 @@ class SampleRows {
 
   std::size_t count_ = 0;
   std::size_t columns_ = 0;
+  MissingFill missing_ = MissingFill::kRefuse;
+  bool is_moved_ = false;
+  std::vector<double> means_;
   bool sparse_ = false;
   Rows dense_;
   Numbers<std::int64_t> starts_;

@@ -1,5 +1,6 @@
-"""Rows of numbers as the C++ library takes them, and labels as it counts them."""
+"""Rows of numbers as the C++ library takes them."""
 
+import copy
 import os
 import sys
 import warnings
@@ -7,43 +8,161 @@ import warnings
 import numpy as np
 import sklearn
 from scipy.sparse import issparse
-from sklearn.utils import check_consistent_length, column_or_1d
-from sklearn.utils.validation import validate_data
+from sklearn.utils import check_array
+from sklearn.utils.validation import check_is_fitted, validate_data
 
 from . import _somato
-from .errors import ConversionWarning
+from ._readings import columns_of, is_frame, readings_of
+from .errors import ConversionWarning, DataError, NotFittedError, errors_of_sklearn
 
 # Bytes of converted rows from which on the conversion is reported: smaller ones cost next to nothing.
 _WORTH_A_REPORT = 2**24
 
+# The place in messages about rows.
+_WHERE = "X"
+
 _reported = set()
 
 
-def rows_of(estimator, X, *, reset, least=1):
-    """X as float32 in C order, without a copy if it is that already, and checked by scikit-learn."""
-    rows = validate_data(estimator, X, reset=reset, dtype=np.float32, order="C",
-                         ensure_min_samples=least)
-    _report_conversion(X, rows)
+def check_fitted(estimator, attribute):
+    """Raises NotFittedError unless the estimator is trained."""
+    try:
+        check_is_fitted(estimator, attribute)
+    except sklearn.exceptions.NotFittedError as error:
+        raise NotFittedError("the estimator is not trained yet", type(estimator).__name__,
+                             "call fit before") from error
+
+
+def rows_of(estimator, X, *, reset, further=False, least=1):
+    """X as float32 in C order, without a copy if it is that already.
+
+    Args:
+        estimator: Knows the columns afterwards, and what differs in them.
+        X: Numbers of (samples, columns), of any type and in any form.
+        reset: Whether the training begins.
+        further: Whether a training continues.
+        least: The number of samples that are needed.
+
+    Raises:
+        DataError: A value is missing, infinite or no number, a column has no name, or float32 does
+            not hold what differs in a column.
+    """
+    known = None if reset or further else getattr(estimator, "_rounding", None)
+    rows, _ = _rounded(estimator, X, reset, further, least, "refuse",
+                       lambda: ([], [] if known is None else known.deviations()))
     return rows
 
 
-def sample_rows_of(estimator, X, *, reset, least=1):
-    """X for a map of the library: as for rows_of, or sparse in any format of scipy."""
-    rows = validate_data(estimator, X, reset=reset, dtype=np.float32, order="C", accept_sparse="csr",
-                         ensure_min_samples=least)
+def sample_rows_of(estimator, X, *, reset, further=False, least=1, missing="refuse"):
+    """X for a map of the library: as for rows_of, or sparse in any format of scipy; missing values
+    are kept as NaN unless they are refused."""
+    trained = None if reset else estimator.map_
+    rows, moved = _rounded(estimator, X, reset, further, least, missing,
+                           lambda: (([], []) if trained is None
+                                    else (trained.offsets(), trained.deviations())),
+                           accept_sparse="csr")
+    if issparse(rows):
+        return _sparse(rows)
+    return _somato.SampleRows(rows, missing, moved)
+
+
+def _rounded(estimator, X, reset, further, least, missing, scales, **options):
+    """The rows as float32, and whether offsets were subtracted from them; ``scales`` gives the offsets
+    and the deviations that are known of the columns."""
+    array = readings_of(X, _WHERE)
+    if is_frame(X) and issparse(array) and "accept_sparse" not in options:
+        array = array.toarray()
+    with errors_of_sklearn(_WHERE, "pass an array of (samples, columns) with the columns of fit"):
+        exact = check_array(array, dtype=(np.float64, np.float32), ensure_min_samples=least,
+                            ensure_all_finite=False, input_name=_WHERE, estimator=estimator, **options)
+        validate_data(estimator, X if is_frame(X) else exact, reset=reset, skip_check_array=True)
+    names = columns_of(X)
+    _check_known(exact, missing, names, reset)
+    # Zeros of sparse rows cannot be moved, and what was float32 has lost nothing here.
+    is_moved = exact.dtype == np.float64 and not issparse(exact)
+    offsets, deviations = scales() if is_moved else ([], [])
+    rounding = _somato.Rounding()
+    rounding.know(offsets, deviations)
+    rows = _round(exact, rounding, names)
+    _check(rounding, names)
+    if reset or further:
+        estimator._rounding = (rounding if reset
+                               else _of_all_calls(estimator, exact, offsets, names))
     _report_conversion(X, rows)
-    return _sparse(rows) if issparse(rows) else _somato.SampleRows(rows)
+    return rows, len(offsets) > 0
 
 
-def numbered(y, X):
-    """The distinct labels in the order of first appearance, and the number of each sample's label."""
-    labels = column_or_1d(y)
-    check_consistent_length(X, labels)
-    values, first, inverse = np.unique(labels, return_index=True, return_inverse=True)
-    order = np.argsort(first)
-    number = np.empty(len(order), np.int64)
-    number[order] = np.arange(len(order))
-    return values[order], number[inverse]
+def _check(rounding, names):
+    rounding.check(lambda column: _column(names, column), _WHERE)
+
+
+def _of_all_calls(estimator, exact, offsets, names):
+    """What is lost in the columns of all calls together: each may be a single row."""
+    learned = getattr(estimator, "_rounding", None)
+    rounding = _somato.Rounding() if learned is None else copy.copy(learned)
+    rounding.know(offsets, [])
+    _round(exact, rounding, names)
+    _check(rounding, names)
+    return rounding
+
+
+def _round(exact, rounding, names):
+    if exact.dtype == np.float32:
+        return exact if issparse(exact) else np.ascontiguousarray(exact)
+    if not issparse(exact):
+        rows = rounding.rows(exact)
+        _check_finite(rows, names, "is beyond single precision", "scale its column")
+        return rows
+    values = rounding.sparse(exact.indices.astype(np.int64), exact.data, *exact.shape)
+    rows = type(exact)((values, exact.indices, exact.indptr), shape=exact.shape)
+    _check_finite(rows, names, "is beyond single precision", "scale its column")
+    return rows
+
+
+def _column(names, column):
+    return f"column {column}" if names is None else f"column {column} ('{names[column]}')"
+
+
+def _check_finite(rows, names, what, advice):
+    """Raises DataError with the place of the first infinite value."""
+    values = rows.data if issparse(rows) else rows
+    if np.isfinite(np.sum(values, dtype=np.float64)) or not np.isinf(values).any():
+        return
+    row, column = _first(rows, np.isinf)
+    raise DataError(f"the value in row {row}, {_column(names, column)} {what}", _WHERE, advice)
+
+
+def _first(rows, condition):
+    """Row and column of the first value that meets a condition."""
+    if not issparse(rows):
+        return tuple(int(index) for index in np.argwhere(condition(rows))[0])
+    place = int(np.flatnonzero(condition(rows.data))[0])
+    row = int(np.searchsorted(rows.indptr, place, side="right")) - 1
+    return row, int(rows.indices[place])
+
+
+def _check_known(exact, missing, names, reset):
+    """Raises DataError for infinite values, and for missing ones that are refused or that nothing
+    could fill."""
+    values = exact.data if issparse(exact) else exact
+    if np.isfinite(np.sum(values, dtype=np.float64)):
+        return
+    _check_finite(exact, names, "is infinite (inf)", "leave the row out")
+    if not np.isnan(values).any():
+        return
+    if missing == "refuse" or issparse(exact):
+        row, column = _first(exact, np.isnan)
+        raise DataError(f"the value in row {row}, {_column(names, column)} is missing (NaN)", _WHERE,
+                        "leave the row out, fill it in, or pass dense rows to a map with "
+                        "SOM(missing='mean') or 'nearest'")
+    unknown = np.isnan(exact)
+    if unknown.all(axis=1).any():
+        raise DataError(f"row {int(unknown.all(axis=1).argmax())} has no known value", _WHERE,
+                        "leave the row out")
+    if reset and unknown.all(axis=0).any():
+        column = int(unknown.all(axis=0).argmax())
+        raise DataError(f"{_column(names, column)} has no known value", _WHERE,
+                        "leave the column out")
 
 
 def _sparse(rows):
@@ -65,10 +184,10 @@ def _report_conversion(X, rows):
     _reported.add(reason)
     warnings.warn(f"{size / 2**20:.0f} MiB of rows were copied: {reason}. Rows of float32 in C order, "
                   "as numpy.ascontiguousarray(X, numpy.float32) gives them, are not copied",
-                  ConversionWarning, stacklevel=_level_of_user())
+                  ConversionWarning, stacklevel=level_of_user())
 
 
-def _level_of_user():
+def level_of_user():
     """The number of frames from the caller up to the first one outside of this package and sklearn."""
     inside = tuple(os.path.dirname(module.__file__) + os.sep for module in (_somato, sklearn))
     frame, level = sys._getframe(1), 1

@@ -2,10 +2,10 @@
 
 import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
-from sklearn.utils.validation import check_is_fitted
 
 from . import _somato
-from ._rows import rows_of
+from ._channels import frames_of
+from ._rows import check_fitted, rows_of
 from .errors import DataError, UsageError
 
 
@@ -28,7 +28,7 @@ class _Code(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     def transform(self, X) -> np.ndarray:
         """The coded rows; float32 of (samples, elements)."""
-        check_is_fitted(self, "_n_features_out")
+        check_fitted(self, "_n_features_out")
         return self._code(rows_of(self, X, reset=False))
 
     def __sklearn_tags__(self):
@@ -136,8 +136,7 @@ class Spectrum(_Code):
         Returns:
             float32 of (elements, bands), or with ``bands=0`` of (elements, bins).
         """
-        frames = np.ascontiguousarray(frames, np.float32)
-        frames = frames.reshape(len(frames), -1)
+        frames = frames_of(frames, "Spectrum.of(frames)")
         return _somato.spectrum_of(self._parameters(), frames, float(rate or self.rate or 0.0))
 
     def _code(self, X):

@@ -74,7 +74,7 @@ class MapData:
         map: The map of the library.
         hits: Number of samples that each neuron wins, or None.
         winners: The winner of each sample, or None.
-        classes: The names of the classes and the number of each sample's class, or None.
+        classes: The names of the classes and the number of each sample's class, -1 for none; or None.
     """
 
     def __init__(self, map, hits=None, winners=None, classes=None):  # noqa: A002
@@ -93,7 +93,8 @@ class MapData:
                 picture.add_hits(self.hits)
             elif panel == "labels":
                 names, numbers = self.classes
-                picture.add_labels([str(name) for name in names], self.winners, numbers)
+                known = numbers >= 0
+                picture.add_labels([str(name) for name in names], self.winners[known], numbers[known])
             else:
                 picture.add_components(_count(components, where))
         return Drawing(picture.svg(title))

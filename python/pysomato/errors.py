@@ -1,6 +1,8 @@
 """The exceptions and warnings of the package: each says what is wrong, where, and what to do."""
 
-from sklearn.exceptions import DataConversionWarning
+from contextlib import contextmanager
+
+from sklearn import exceptions
 
 
 class Error(Exception):
@@ -32,6 +34,18 @@ class DataError(Error, ValueError):
     """The content of a file, a recording or an array cannot be used."""
 
 
+class DataTypeError(DataError, TypeError):
+    """An argument is of a type that cannot be used, such as a text instead of numbers."""
+
+
+class MissingChannelError(UsageError, KeyError):
+    """A frame lacks a channel of a system."""
+
+
+class NotFittedError(UsageError, exceptions.NotFittedError):
+    """An estimator is used before it is trained."""
+
+
 class OperatingSystemError(Error):
     """The operating system reports an error, or memory does not suffice."""
 
@@ -40,5 +54,22 @@ class LeftOutWarning(UserWarning):
     """Parts of a data set are not in the recording, such as pictures; the message names them."""
 
 
-class ConversionWarning(DataConversionWarning):
+class LabelWarning(UserWarning):
+    """Labels may not mean what they seem to; the message says why."""
+
+
+class ConversionWarning(exceptions.DataConversionWarning):
     """Many rows were copied in order to convert them; reported once for each reason in a process."""
+
+
+@contextmanager
+def errors_of_sklearn(where, advice):
+    """Errors of checks of scikit-learn become errors of the package, with the same text."""
+    try:
+        yield
+    except Error:
+        raise
+    except TypeError as error:
+        raise DataTypeError(str(error), where, advice) from error
+    except (ValueError, RuntimeError) as error:
+        raise DataError(str(error), where, advice) from error

@@ -6,8 +6,11 @@ import warnings
 import numpy as np
 
 from . import _lerobot, _open_x_tactile, _somato
+from ._channels import flat, rounded
+from ._labels import has_none
+from ._readings import columns_of, readings_of, refuse_unnamed
 from .drawing import Drawing, skin
-from .errors import LeftOutWarning, UsageError
+from .errors import DataError, LeftOutWarning, UsageError
 
 
 class Recording:
@@ -40,34 +43,37 @@ class Recording:
             element_names: Maps names of channels to names of their elements.
             valid: Maps names of channels to arrays of the same shapes, one per exploration, with 0
                 for a missing value, whose number is not used; or None for an exploration without
-                missing values.
+                missing values. Masked values of a masked array of numpy are missing, too.
             sources: The file or another origin of each exploration.
 
         Raises:
             UsageError: The numbers of explorations differ, or a name is not that of a channel.
-            DataError: A value is not finite, or channels, times or labels contradict each other.
+            DataError: A value is not finite, float32 does not hold what differs in a channel, a label
+                is missing, or channels, times or labels contradict each other.
         """
-        columns = {str(name): [str(value) for value in labels[name]] for name in labels}
+        columns = {str(name): _label_texts(str(name), labels[name]) for name in _names_of(labels)}
         given = {"units": units, "rates": rates, "times": times, "element_names": element_names,
                  "valid": valid}
         given = {name: value or {} for name, value in given.items()}
         _check_names(channels, given)
+        explorations = _number_of_explorations(columns, channels)
+        _check_lengths(explorations, {**given, "sources": {"": sources} if sources is not None else {}})
+        frames = {name: _frames_of(name, arrays, given) for name, arrays in channels.items()}
         maker = _somato.RecordingMaker()
-        for exploration in range(_number_of_explorations(columns, channels)):
+        for exploration in range(explorations):
             maker.begin([(name, values[exploration]) for name, values in columns.items()],
                         "" if sources is None else str(sources[exploration]))
-            for name, arrays in channels.items():
-                frames = np.asarray(arrays[exploration], dtype=np.float32)
+            for name in channels:
+                values, marks = frames[name][exploration]
                 description = {"name": name, "unit": given["units"].get(name, ""),
                                "rate": float(given["rates"].get(name, 0.0)),
                                "element_names": list(given["element_names"].get(name, [])),
-                               "shape": list(frames.shape[1:]) if frames.ndim > 2 else []}
+                               "shape": list(values.shape[1:]) if values.ndim > 2 else []}
                 seconds = given["times"].get(name)
-                marks = given["valid"].get(name)
-                rows, valid = _rows_and_marks(frames, None if marks is None else marks[exploration])
-                maker.add(description, rows,
-                          [] if seconds is None else [float(time) for time in seconds[exploration]],
-                          valid)
+                place = f"from_arrays(times): channel '{name}', exploration {exploration}"
+                maker.add(description, np.ascontiguousarray(flat(values)),
+                          [] if seconds is None else _seconds_of(seconds[exploration], place),
+                          marks)
         return cls(maker.finish())
 
     def __len__(self):
@@ -203,15 +209,50 @@ def _with_left_out(recording, left_out, path):
     return recording
 
 
-def _rows_and_marks(frames, marks):
-    """Frames of (frames, elements), 0 where a value is missing, and 0 or 1 for each of them."""
-    rows = np.ascontiguousarray(frames.reshape(len(frames), -1))
-    if marks is None:
-        return rows, np.ones((0, 0), np.uint8)
-    valid = np.asarray(marks).reshape(len(marks), -1) != 0
-    if valid.shape == rows.shape:
-        rows = np.where(valid, rows, np.float32(0))
-    return rows, valid.astype(np.uint8)
+def _frames_of(name, arrays, given):
+    """The frames of a channel and the marks of its values, for each exploration."""
+    places = [f"from_arrays: channel '{name}', exploration {i}" for i in range(len(arrays))]
+    marks = given["valid"].get(name)
+    masked = [_masked(frames, None if marks is None else marks[i], places[i])
+              for i, frames in enumerate(arrays)]
+    frames = rounded([(values, known) for values, known, _ in masked], name,
+                     list(given["element_names"].get(name, [])), places)
+    return [(values, np.ascontiguousarray(flat(known), np.uint8) if is_marked
+             else np.ones((0, 0), np.uint8))
+            for (values, known), (_, _, is_marked) in zip(frames, masked)]
+
+
+def _masked(frames, marks, place):
+    """Numbers of (frames, ...), which of them are known, and whether that is given."""
+    values = readings_of(frames, place)
+    mask = np.ma.getmaskarray(frames) if isinstance(frames, np.ma.MaskedArray) else None
+    values = values.toarray() if hasattr(values, "toarray") else values
+    if values.ndim == 0:
+        raise DataError("a number is not frames", place, "pass an array of (frames, elements)")
+    known = np.ones(values.shape, bool) if mask is None else ~mask
+    if marks is not None:
+        given = np.asarray(marks)
+        if given.size != values.size or len(given) != len(values):
+            raise DataError(f"there are {given.size} validity marks for {values.size} values", place,
+                            "pass one for each value")
+        known = known & (given.reshape(values.shape) != 0)
+    return values, known, marks is not None or mask is not None
+
+
+def _names_of(labels):
+    refuse_unnamed(columns_of(labels) or list(labels), "from_arrays(labels)")
+    return labels
+
+
+def _label_texts(name, values):
+    """The values of a label as texts."""
+    values = list(values)
+    for exploration, value in enumerate(values):
+        if has_none(value):
+            raise DataError(f"the label '{name}' of exploration {exploration} is missing",
+                            "from_arrays(labels)", "leave the exploration out, or give it a label "
+                            "such as 'none'")
+    return [str(value) for value in values]
 
 
 def _place(number, count, kind):
@@ -233,6 +274,18 @@ def _number_of_explorations(columns, channels):
                          "Recording.from_arrays",
                          "give lists of the same length, and at least one channel")
     return numbers.pop()
+
+
+def _check_lengths(explorations, given):
+    for argument in ("times", "valid", "sources"):
+        for values in given[argument].values():
+            if len(values) != explorations:
+                raise UsageError(f"there are {len(values)} for {explorations} explorations",
+                                 f"from_arrays({argument})", "give one for each exploration")
+
+
+def _seconds_of(times, place):
+    return np.asarray(readings_of(times, place), np.float64).ravel().tolist()
 
 
 def _check_names(channels, given):

@@ -1,26 +1,27 @@
 """A self-organizing map as an estimator of scikit-learn."""
 
 import os
+import warnings
 
 import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
-from sklearn.utils.validation import check_is_fitted
 
 from . import _somato
+from ._labels import labels_of, places_of, warn_of_doubtful
 from ._numbers import number_of_threads
-from ._rows import numbered, sample_rows_of
+from ._rows import check_fitted, level_of_user, sample_rows_of
 from .drawing import Drawing, MapData
-from .errors import UsageError
+from .errors import DataError, LabelWarning, UsageError
 
 # In __init__, but not parameters of a map.
-_NOT_OF_MAP = {"threads"}
+_NOT_OF_MAP = {"missing", "unlabelled", "threads"}
 
 
 class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     """A self-organizing map.
 
-    Its parameters, except ``threads``, have the names, values and defaults of ``somato som train``
-    (docs/reference/flags-and-keys.md); ``None`` is ``automatic``. The same rows, parameters and seed
+    Its parameters, except ``unlabelled`` and ``threads``, have the names, values and defaults of
+    ``somato som train`` (docs/reference/flags-and-keys.md); ``None`` is ``automatic``. The same rows, parameters and seed
     give the same map, bit by bit, as the program. Rows are float32 in C order, (samples, columns);
     such an array is not copied, others are converted (a ``ConversionWarning`` reports large ones).
     Sparse rows of scipy give the same weights as dense ones, in less time if they are nearly empty.
@@ -30,6 +31,11 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     Args:
         rows: Rows of the map.
         columns: Columns of the map.
+        missing: Treatment of missing values of X, which are None, NA, NaN or masked: ``refuse``;
+            ``mean``, which is that of the column in the training data; or ``nearest``, which is the
+            value of the nearest complete row in ``fit``, and the weight of the winner afterwards.
+        unlabelled: A value of y that means that a sample has no label, such as -1, in addition to
+            None, NA, NaN, NaT, masked elements and empty texts.
         threads: Threads that compute; None: as many as the machine runs at once. Does not affect
             results.
 
@@ -41,7 +47,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         topographic_error_: Share of training samples whose two best neurons share no edge, after
             ``fit``.
         classes_: The labels in the order of first appearance, if ``fit`` had labels.
-        samples_seen_: Samples that online training has learned, in all calls since the map began.
+        samples_seen_: Samples that online training has learned, in all calls since the map began;
+            model files and pickles contain it.
     """
 
     def __init__(self, rows=15, columns=15, *, lattice="rectangular", topology="plane",
@@ -51,7 +58,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
                  radius_end=1.0, radius_reached_at=None, learning_rate_schedule="linear",
                  learning_rate_start=0.3, learning_rate_end=0.02, learning_rate_reached_at=None,
                  arithmetic="automatic", softmax="power", softmax_exponent=10.0,
-                 activity_norm="maximum", seed=1, threads=None):
+                 activity_norm="maximum", seed=1, missing="refuse", unlabelled=None, threads=None):
         self.rows = rows
         self.columns = columns
         self.lattice = lattice
@@ -77,6 +84,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         self.softmax_exponent = softmax_exponent
         self.activity_norm = activity_norm
         self.seed = seed
+        self.missing = missing
+        self.unlabelled = unlabelled
         self.threads = threads
 
     def fit(self, X, y=None) -> "SOM":
@@ -85,25 +94,28 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         Args:
             X: Numbers of (samples, columns), at least two samples.
             y: Labels of (samples,), or None. They do not affect the training; they name the neurons
-                for ``classify`` and ``score``.
+                for ``classify`` and ``score``. Samples without a label are learned, and name none.
 
         Raises:
             UsageError: Parameters contradict each other, are out of range or have no effect.
-            DataError: The rows are too long or too short for single precision.
+            DataError: Values are missing, infinite, too large or no numbers; float32 does not hold
+                what differs in a column; or labels cannot be distinguished.
+
+        Warns:
+            LabelWarning: A label may mean that there is none.
         """
-        X = sample_rows_of(self, X, reset=True, least=2)
-        classes = None if y is None else numbered(y, X)
+        X = self._rows(X, reset=True, least=2).filled()
+        labels = None if y is None else self._labels(y, X)
         trained = _somato.Map.train(self._map_parameters(), X, self._threads())
         self._forget()
         found = trained.quality(X, self._threads())
         self.quantization_error_, self.topographic_error_, self.hits_, self.winners_ = found
-        if classes is not None:
-            self.classes_, self._classes_of_samples = classes
-            trained = trained.labelled([str(name) for name in self.classes_], self.winners_,
-                                       self._classes_of_samples)
+        if labels is not None and labels.known.any():
+            warn_of_doubtful(labels.names, level_of_user())
+            self.classes_, self._classes_of_samples = labels.names, labels.numbers
+            trained = trained.labelled([str(name) for name in labels.names],
+                                       self.winners_[labels.known], labels.numbers[labels.known])
         self._take(trained)
-        if self.training == "online":
-            self.samples_seen_ = trained.parameters["iterations"]
         return self
 
     def partial_fit(self, X, y=None) -> "SOM":
@@ -111,6 +123,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
         The first call makes the initial map from its rows. Learning rate and radius follow their
         schedules over ``iterations`` samples of all calls together and then keep their final values.
+        A map that was saved or pickled continues where it was. With ``missing="nearest"``, values
+        that are missing are the weights of the winner; with ``"mean"``, the means of the first call.
 
         Args:
             X: Numbers of (samples, columns).
@@ -118,18 +132,18 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
         Raises:
             UsageError: ``training`` is ``batch``, or as for ``fit``.
+            DataError: As for ``fit``; columns are compared with those of all calls.
         """
         begins = not hasattr(self, "map_")
-        X = sample_rows_of(self, X, reset=begins)
         if self.training != "online":
             raise UsageError("partial_fit learns one sample after the other", "SOM(training)",
                              'use training="online", or fit')
+        X = self._rows(X, reset=begins, further=True)
+        X = X.filled() if begins else X
         before = _somato.Map.initial(self._map_parameters(), X) if begins else self.map_
-        seen = getattr(self, "samples_seen_", 0)
-        learned = before.learned(X, seen, self._threads())
+        learned = before.learned(X, self._threads())
         self._forget()
         self._take(learned)
-        self.samples_seen_ = seen + len(X)
         return self
 
     def predict(self, X) -> np.ndarray:
@@ -148,29 +162,51 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         Raises:
             UsageError: The map was trained without labels.
         """
-        return self._classified(self._checked(X), "classify")
+        X = self._checked(X)
+        self._check_labelled("classify")
+        return self.classes_[self.map_.classes(X, self._threads())]
 
     def score(self, X, y=None) -> float:
         """The share of rows that ``classify`` names right, or without labels the negative
-        quantization error; greater is better in both cases.
+        quantization error; greater is better in both cases. Rows without a label do not count.
 
         Raises:
             UsageError: There are labels, but the map was trained without.
+            DataError: No row has a label.
+
+        Warns:
+            LabelWarning: The map knows no label of y, so that the score is 0.
         """
         X = self._checked(X)
         if y is None:
             return -self.map_.quality(X, self._threads())[0]
-        return float(np.mean(self._classified(X, "score") == np.asarray(y).ravel()))
+        self._check_labelled("score")
+        labels = self._labels(y, X)
+        if not labels.known.any():
+            raise DataError("no sample has a label", "SOM.score(y)", "pass labels, or no y")
+        places = places_of(labels.names, self.classes_)
+        if (places < 0).all():
+            warnings.warn(_of_unknown_labels(labels.names, self.classes_), LabelWarning,
+                          stacklevel=level_of_user())
+        named = self.map_.classes(X, self._threads())
+        return float(np.mean((named == places[labels.numbers])[labels.known]))
+
+    @property
+    def samples_seen_(self) -> int:
+        """Samples that online training has learned, in all calls since the map began."""
+        if "map_" not in self.__dict__ or self.map_.parameters["training"] != "online":
+            raise AttributeError("only a map that learns one sample after the other counts them")
+        return self.map_.samples_seen
 
     @property
     def weights_(self) -> np.ndarray:
         """Weights of the neurons, row by row; float32 of (neurons, columns)."""
-        check_is_fitted(self, "map_")
+        check_fitted(self, "map_")
         return self.map_.weights()
 
     def u_matrix(self) -> np.ndarray:
         """Mean distance of each neuron's weights from those of its neighbours; of (rows, columns)."""
-        check_is_fitted(self, "map_")
+        check_fitted(self, "map_")
         return self.map_.u_matrix()
 
     def draw(self, panels=None, X=None, y=None, *, title="SOM", components=12) -> Drawing:
@@ -210,7 +246,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     def save(self, path) -> None:
         """Writes the map to a model file, which ``somato som map`` reads as well."""
-        check_is_fitted(self, "map_")
+        check_fitted(self, "map_")
         self.map_.save(os.fspath(path))
 
     @classmethod
@@ -278,7 +314,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     def _data(self, X, y):
         """What is drawn: the samples of X, or else those of fit."""
-        check_is_fitted(self, "map_")
+        check_fitted(self, "map_")
         if X is None:
             if y is not None:
                 raise UsageError("there are labels without samples", "SOM(y)", "pass X as well")
@@ -288,23 +324,40 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
                            classes)
         X = self._checked(X)
         _, _, hits, winners = self.map_.quality(X, self._threads())
-        return MapData(self.map_, hits, winners, None if y is None else numbered(y, X))
+        labels = None if y is None else self._labels(y, X)
+        return MapData(self.map_, hits, winners,
+                       None if labels is None or not labels.known.any()
+                       else (labels.names, labels.numbers))
 
     def _checked(self, X):
-        check_is_fitted(self, "map_")
-        return sample_rows_of(self, X, reset=False)
+        check_fitted(self, "map_")
+        return self._rows(X, reset=False)
 
-    def _classified(self, X, method):
+    def _rows(self, X, **how):
+        return sample_rows_of(self, X, missing=self.missing, **how)
+
+    def _labels(self, y, X):
+        return labels_of(y, len(X), self.unlabelled, "y")
+
+    def _check_labelled(self, method):
         if not hasattr(self, "classes_"):
             raise UsageError("the neurons have no labels", f"SOM.{method}", "pass labels to fit as y")
-        return self.classes_[self.map_.classes(X, self._threads())]
 
     def _forget(self):
         """Removes what describes the samples of an earlier training."""
         for name in ("quantization_error_", "topographic_error_", "hits_", "winners_", "classes_",
-                     "_classes_of_samples", "samples_seen_"):
+                     "_classes_of_samples"):
             self.__dict__.pop(name, None)
 
     def _take(self, trained):
         names = getattr(self, "feature_names_in_", None)
         self.map_ = trained if names is None else trained.named([str(name) for name in names])
+
+
+def _of_unknown_labels(names, known):
+    few = 3
+    texts = [", ".join(f"'{name}'" for name in some[:few]) + (", ..." if len(some) > few else "")
+             for some in (names, known)]
+    return (f"the map knows no label of y ({texts[0]}), so that the score is 0; its labels are "
+            f"{texts[1]}. Folds of samples that are sorted by class need "
+            "cv=StratifiedKFold(n), or GroupKFold with a group for each trial")

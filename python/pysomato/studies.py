@@ -9,12 +9,13 @@ from pathlib import Path
 import numpy as np
 
 from . import _somato
+from ._channels import frames_of
 from ._frames import frame
 from ._numbers import number_of_threads
 from ._program import run_program
 from ._progress import shown
 from .drawing import Drawing, Page
-from .errors import OperatingSystemError
+from .errors import MissingChannelError, OperatingSystemError
 from .recording import Recording
 from .som import SOM
 
@@ -172,11 +173,16 @@ class Live:
 
         Raises:
             DataError: A module cannot process the frame; ``start`` is then required.
-            KeyError: A channel is missing.
+            MissingChannelError: A channel is missing; it is a KeyError, too.
             ValueError: A channel has another number of elements.
         """
-        self._inner.step([np.ascontiguousarray(frame[name], np.float32).ravel()
-                          for name in self.channels])
+        self._inner.step([self._values_of(frame, name) for name in self.channels])
+
+    def _values_of(self, frame, name):
+        if name not in frame:
+            raise MissingChannelError(f"the frame lacks the channel '{name}'", "Live.step(frame)",
+                                      f"channels are: {', '.join(self.channels)}")
+        return frames_of(np.ma.atleast_1d(frame[name]).reshape(1, -1), f"Live.step(frame): {name}")[0]
 
     def winner(self) -> int:
         """The number of the map's winner for the exploration so far."""

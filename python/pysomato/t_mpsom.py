@@ -2,10 +2,9 @@
 
 import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
-from sklearn.utils.validation import check_is_fitted
 
 from . import _somato
-from ._rows import rows_of
+from ._rows import check_fitted, rows_of
 from .errors import UsageError
 
 
@@ -69,7 +68,7 @@ class TMPSOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
             y: Ignored.
         """
         begins = not hasattr(self, "map_")
-        X = rows_of(self, X, reset=begins)
+        X = rows_of(self, X, reset=begins, further=True)
         before = _somato.TMpsom.initial(self._map_parameters(X)) if begins else self.map_
         seen = 0 if begins else self.samples_seen_
         self.map_ = before.learned(X, seen)
@@ -78,7 +77,7 @@ class TMPSOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     def transform(self, X) -> np.ndarray:
         """The activity of all neurons for each row, in row-major order; float32 of (samples, neurons)."""
-        check_is_fitted(self, "map_")
+        check_fitted(self, "map_")
         return self.map_.activity(rows_of(self, X, reset=False))
 
     def predict(self, X) -> np.ndarray:
@@ -87,7 +86,7 @@ class TMPSOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     def weights(self, input) -> np.ndarray:  # noqa: A002: as in the library
         """The weights of the neurons for an input, counted from 0; float32 of (neurons, elements)."""
-        check_is_fitted(self, "map_")
+        check_fitted(self, "map_")
         return self.map_.weights(input)
 
     @property

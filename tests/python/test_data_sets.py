@@ -267,7 +267,7 @@ def test_values_beyond_single_precision_are_refused(tmp_path):
     joints = JOINTS.copy()
     joints[4, 2] = 1e40
     archive = write_archive(tmp_path / "task.zarr", right_hand_joints=joints)
-    with pytest.raises(pysomato.DataError, match=r"episode 1, right_hand_joints: .*at \[1, 2\]"):
+    with pytest.raises(pysomato.DataError, match=r"episode 1, right_hand_joints: .*frame 1, element 2"):
         read_quietly(archive)
 
 

@@ -1,5 +1,7 @@
 """The estimator SOM against definitions in numpy, and its errors."""
 
+import copy
+import pickle
 import xml.etree.ElementTree
 from inspect import signature
 
@@ -19,7 +21,7 @@ def value_of(text):
 
 def test_parameters_have_the_names_and_defaults_of_the_library():
     defaults = {name: parameter.default for name, parameter in signature(SOM).parameters.items()
-                if name != "threads"}
+                if name not in ("missing", "unlabelled", "threads")}
     declared = _somato.som_parameters()
     assert list(defaults) == [info["name"] for info in declared]
     for info in declared:
@@ -83,8 +85,49 @@ def test_partial_fit_after_fit_continues(X):
     before = som.map_
     som.partial_fit(X[:10])
     assert som.samples_seen_ == 210
-    np.testing.assert_array_equal(som.weights_, before.learned(_somato.SampleRows(X[:10]), 200, 1).weights())
+    np.testing.assert_array_equal(som.weights_, before.learned(_somato.SampleRows(X[:10]), 1).weights())
     assert not hasattr(som, "winners_")
+
+
+def copies_of(som, folder):
+    som.save(folder / "map.somato")
+    return {"kept": copy.deepcopy(som), "pickled": pickle.loads(pickle.dumps(som)),
+            "saved": SOM.load(folder / "map.somato")}
+
+
+@pytest.mark.parametrize("seen", [0, 30, 200, 230])
+def test_a_saved_and_a_pickled_map_continue_where_they_were(X, tmp_path, seen):
+    som = SOM(3, 3, iterations=200)
+    if seen == 200:
+        som.fit(X)
+    else:
+        som.partial_fit(X[:1])
+        for start in range(1, seen, 29):
+            som.partial_fit(X[:min(29, seen - start)])
+    copies = copies_of(som, tmp_path)
+    for name, other in copies.items():
+        assert other.samples_seen_ == max(seen, 1), name
+        other.partial_fit(X[:5])
+    for other in copies.values():
+        np.testing.assert_array_equal(other.weights_, copies["kept"].weights_)
+        assert other.samples_seen_ == max(seen, 1) + 5
+
+
+def test_known_samples_do_not_disturb_a_loaded_map(X, tmp_path):
+    som = SOM(6, 6).fit(X)
+    before = -som.score(X)
+    for name, other in copies_of(som, tmp_path).items():
+        assert -other.partial_fit(X[:5]).score(X) < 1.1 * before, name
+
+
+def test_the_map_of_the_program_continues_at_the_end_of_its_schedule(somato, X, tmp_path):
+    np.save(tmp_path / "rows.npy", X)
+    somato("som", "train", tmp_path / "rows.npy", "--iterations", 300, "-o", tmp_path / "map.somato")
+    assert SOM.load(tmp_path / "map.somato").samples_seen_ == 300
+
+
+def test_a_map_trained_in_batches_counts_no_samples(X):
+    assert not hasattr(SOM(3, 3, training="batch").fit(X), "samples_seen_")
 
 
 def test_labels_keep_their_types_and_order(X):

@@ -139,15 +139,29 @@ def test_a_trained_system_processes_frames(recording, toml, tmp_path):
     assert 'type = "som"' in load(tmp_path / "system.somato").toml
 
 
+def test_the_map_of_a_study_is_at_the_end_of_its_training(recording, toml):
+    som = study(recording, toml, seeds=1, protocols="train_is_test").som
+    assert som.samples_seen_ == som.get_params()["iterations"]
+    rows = [frames[-1] for frames in recording["joints"]]
+    before = -som.score(rows)
+    assert -som.partial_fit(rows[:3]).score(rows) < 1.1 * before
+
+
 def test_a_live_system_outlives_its_file_and_study(recording, toml):
     live = study(recording, toml, seeds=1, protocols="train_is_test").system.live()
     live.start()
     with pytest.raises(ValueError):
         live.winner()
-    with pytest.raises(KeyError):
+    with pytest.raises(KeyError) as caught:
         live.step({"touch": [1.0]})
-    with pytest.raises(ValueError):
+    assert isinstance(caught.value, pysomato.UsageError) and "channels are: joints" in str(caught.value)
+    with pytest.raises(pysomato.UsageError):
         live.step({"joints": [1.0, 2.0]})
+    for value in (None, float("nan"), np.ma.masked):
+        with pytest.raises(pysomato.DataError, match="joints"):
+            live.step({"joints": [0.0, value, 0.0, 0.0, 0.0]})
+    with pytest.raises(pysomato.DataError, match="joints"):
+        live.step({"joints": np.ma.masked_equal([0.0, 7.0, 0.0, 0.0, 0.0], 7.0)})
     live.step({"joints": [0.0] * 5})
     assert 0 <= live.winner() < 16
 
