@@ -7,7 +7,7 @@
 namespace somato {
 namespace {
 
-constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
+constexpr float kUnknownValue = std::numeric_limits<float>::quiet_NaN();
 
 // Two neurons with the weights 0 1 2 and 3 4 5.
 SomModel model_of_two(Similarity similarity = Similarity::kEuclidean) {
@@ -29,14 +29,15 @@ std::vector<float> completed(const SomModel& model, MissingFill missing, std::ve
 TEST(CompleteInputs, AreFilledFromMeansBeforeTheStandardization) {
   SomModel model = model_of_two();
   model.means = {10, 20, 30};
-  EXPECT_EQ(completed(model, MissingFill::kMean, {1, kMissing, 3}), (std::vector<float>{1, 20, 3}));
+  EXPECT_EQ(completed(model, MissingFill::kMean, {1, kUnknownValue, 3}),
+            (std::vector<float>{1, 20, 3}));
   model.standardization = Standardization{{10, 10, 10}, {2, 2, 2}};
-  EXPECT_EQ(completed(model, MissingFill::kMean, {12, kMissing, 8}),
+  EXPECT_EQ(completed(model, MissingFill::kMean, {12, kUnknownValue, 8}),
             (std::vector<float>{1, 5, -1}));
 }
 
 TEST(CompleteInputs, AreFilledFromTheWinnerByTheKnownValues) {
-  EXPECT_EQ(completed(model_of_two(), MissingFill::kNearest, {3, kMissing, 6}),
+  EXPECT_EQ(completed(model_of_two(), MissingFill::kNearest, {3, kUnknownValue, 6}),
             (std::vector<float>{3, 4, 6}));
   EXPECT_EQ(completed(model_of_two(), MissingFill::kRefuse, {1, 2, 3}),
             (std::vector<float>{1, 2, 3}));
