@@ -110,6 +110,9 @@ def tomls():
     write("toml", "long_key", ".".join("a" * 40) + " = 1\n")
     write("toml", "letters", 'a.\u00e4 = 1\nb = """\\\n \u0499"""\n')
     write("toml", "letter_in_date", "a = 2020-01-01T00:00:00\u00e4Z\n")
+    write("toml", "letter_in_number", 'a = 1."\u00e4"\n')
+    write("toml", "not_assigned", 'a = "\\U000C00E4\U000C00E4"\n')
+    write("toml", "no_name", "[=]\n")
     write("toml", "wrong", "a = \n[b\n")
 
 
