@@ -11,6 +11,14 @@ if(SOMATO_BUILD_FOR_TESTS)
   set(SOMATO_OPTIMIZATION_OF_OTHERS $<$<NOT:$<CONFIG:Release>>:-O0>)
 endif()
 
+# g++ 14 refuses precompiled headers that are optimized unlike their users. somato_headers serves
+# the code that is optimized little, somato_optimized_headers the wings with long loops. The other wings
+# are like the latter in a release, and like the former otherwise.
+set(SOMATO_HEADERS_OF_OTHERS somato_headers)
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  set(SOMATO_HEADERS_OF_OTHERS somato_optimized_headers)
+endif()
+
 # somato_link_optimized_templates(PROGRAM): of the functions that several sources instantiate, a linker keeps the
 # first. In a program whose first sources are not optimized, those of strings and vectors would not be either: an
 # optimized source that instantiates all of them is the first. It halves the time of tests that write long texts.
