@@ -136,6 +136,8 @@ Error with_saved(Error error, SessionRecording& recording) {
 Result<void> run_live(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_output_flags(arguments));
   SOMATO_TRY(const auto speed, read_speed(arguments));
+  SOMATO_TRY(const auto rollover, read_rollover(arguments));
+  SOMATO_TRY(const auto memory, read_page_memory(arguments));
   SOMATO_TRY(auto view, read_view(arguments));
   SOMATO_TRY(auto source, read_live_source(arguments));
   const bool is_viewed = view.has_value();
@@ -143,20 +145,24 @@ Result<void> run_live(const Arguments& arguments) {
   source.teaches = arguments.has("teach");
   if (source.teaches) readings.take_names(!is_viewed);  // a page must not wait
   source.readings = readings.sink();
-  SessionRecording recording(arguments.text("output"));
+  SessionRecording recording(arguments.text("output"), rollover);
   SOMATO_TRY_VOID(recording.begin());
   source.file = recording.file();
   catch_stop_requests();
-  ViewSession session(std::move(source), {is_viewed, speed});
+  ViewSession session(
+      std::move(source),
+      {.wait_for_viewer = is_viewed, .speed = speed, .has_page = is_viewed, .memory = memory});
   SOMATO_TRY(auto server, serve_view(session, std::move(view)));
   session.start();
   print_start(server.get());
   readings.wait(is_viewed);
   server.reset();
   session.stop();
-  SOMATO_TRY(const auto saved, recording.finish());
-  print_note(saved);
+  const auto saved = recording.finish();
+  if (!is_quiet()) std::fputs(losses_text(session.losses()).c_str(), stderr);
   SOMATO_TRY_VOID(save_taught(arguments, readings, session));
+  if (!saved) return fail(saved.error());
+  print_note(*saved);
   auto outcome = readings.outcome();
   if (outcome) return outcome;
   return fail(with_saved(std::move(outcome.error()), recording));
@@ -181,6 +187,7 @@ Command live_command() {
        {"--explorations", "Number of explorations of each object or material. Default: 5"},
        {"--seed", "With --body: seed of placement and noise. Default: 1"},
        output_flag("-o,--output", "File for a recording of the explorations"),
+       every_flag(),
        output_flag(
            "--teach",
            "Learn names from standard input, one line for an exploration, and save the "
@@ -191,7 +198,8 @@ Command live_command() {
         "Show the explorations in a browser at the same time, like 'somato view'; they begin with "
         "the first viewer, or with --device after a press of Start, and the view stays open until "
         "Ctrl-C",
-        false, false}},
+        false, false},
+       page_memory_flag()},
       {},
       run_live};
   for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));

@@ -16,7 +16,7 @@
 namespace somato::program {
 namespace {
 
-constexpr std::size_t kMostExplorations = 10000;  // the view keeps what was explored
+constexpr std::size_t kMostExplorations = 1000000;  // months; each has an entry in the plan
 
 tl::unexpected<Error> no_effect(const std::string& flag, const std::string& why,
                                 const std::string& advice) {
@@ -36,7 +36,7 @@ Result<void> check_one_source(const Arguments& arguments) {
 Result<void> check_source_flags(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_one_source(arguments));
   SOMATO_TRY_VOID(check_topic_flags(arguments));
-  for (const std::string flag : {"object", "explorations", "seed", "output"}) {
+  for (const std::string flag : {"object", "explorations", "seed", "output", "every"}) {
     if (!arguments.has(flag) || !arguments.has("recording")) continue;
     return no_effect(flag, "has no effect on a recording", "use it together with --body");
   }

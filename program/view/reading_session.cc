@@ -27,6 +27,7 @@ live::ReadingSink ReadingSession::sink() {
   }
   sink.on_taught = [this](const live::TaughtName& name) { return note_taught(name); };
   sink.on_failure = [this](const Error& failure) { report(failure); };
+  sink.on_unsaved = [this](const Error& error) { report_unsaved(error); };
   sink.on_done = [this](const Result<void>& outcome) { end(outcome); };
   return sink;
 }
@@ -64,6 +65,14 @@ void ReadingSession::report(const Error& failure) {
   std::fputs(fmt::format("somato: {}\n", printable(to_string(failure))).c_str(), stderr);
 }
 
+void ReadingSession::report_unsaved(const Error& error) {
+  is_unsaved_ = true;
+  std::fputs(fmt::format("somato: {}\nThe recording ends here; the readings continue.\n",
+                         printable(to_string(error)))
+                 .c_str(),
+             stderr);
+}
+
 void ReadingSession::end(const Result<void>& outcome) {
   const std::scoped_lock lock(mutex_);
   done_ = outcome;
@@ -86,6 +95,9 @@ Result<void> ReadingSession::outcome() const {
   if (output_.is_closed()) return {};
   if (!done_ || (!*done_ && done_->error().kind == ErrorKind::kInterrupted)) {
     return fail(ErrorKind::kInterrupted, "stopped before all explorations were read");
+  }
+  if (*done_ && failures_ == 0 && is_unsaved_) {
+    return fail(ErrorKind::kIncomplete, "explorations could not be saved");
   }
   if (!*done_ || failures_ == 0) return *done_;
   const bool has_ended = last_failure_ == ErrorKind::kUnavailable;

@@ -48,6 +48,7 @@ class ReadingSession {
   std::optional<std::string> name_of(const live::SaidReading& said);
   Result<void> note_taught(const live::TaughtName& name);
   void report(const Error& failure);
+  void report_unsaved(const Error& error);
   void end(const Result<void>& outcome);
   bool is_over(bool stays_open) const;
 
@@ -60,6 +61,7 @@ class ReadingSession {
   std::size_t taught_ = 0;
   bool is_checked_ = false;
   std::size_t failures_ = 0;
+  bool is_unsaved_ = false;
   std::optional<ErrorKind> last_failure_;
   std::mutex mutex_;
   std::condition_variable changed_;

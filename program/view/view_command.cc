@@ -147,8 +147,9 @@ Arguments with_body(Arguments arguments) {
   return arguments;
 }
 
-ViewSettings settings_of(const Arguments& arguments) {
+Result<ViewSettings> settings_of(const Arguments& arguments) {
   ViewSettings settings;
+  SOMATO_TRY(settings.memory, read_page_memory(arguments));
   if (arguments.has("demo")) settings.speed = demonstration_speed(arguments.text("body"));
   return settings;
 }
@@ -169,14 +170,16 @@ void wait_for_interrupt() {
 Result<void> run_view(const Arguments& given) {
   const Arguments arguments = with_body(given);
   SOMATO_TRY(auto settings, read_server_settings(arguments));
+  SOMATO_TRY(const auto view, settings_of(arguments));
+  SOMATO_TRY(const auto rollover, read_rollover(arguments));
   SOMATO_TRY(auto source, read_source(arguments));
   if (arguments.has("render")) return render_view(arguments, std::move(source));
   SOMATO_TRY(auto served, view_pages());
-  SessionRecording recording(arguments.text("output"));
+  SessionRecording recording(arguments.text("output"), rollover);
   SOMATO_TRY_VOID(recording.begin());
   source.file = recording.file();
   catch_stop_requests();
-  ViewSession session(std::move(source), settings_of(arguments));
+  ViewSession session(std::move(source), view);
   session.start();
   SOMATO_TRY(auto server, ViewServer::start(session, std::move(served), settings));
   fmt::print("Open {}\n", server->start_address());
@@ -188,6 +191,7 @@ Result<void> run_view(const Arguments& given) {
   session.stop();
   const auto saved = recording.finish();
   print_summary(saved.value_or(""));
+  print_summary(losses_text(session.losses()));
   fmt::print("The view is closed.\n");
   return saved ? Result<void>() : fail(saved.error());
 }
@@ -217,8 +221,10 @@ Command view_command() {
                   "own table, or that were explored in the recording"),
        output_flag("-o,--output",
                    "With --body, --device or --topics: file for a recording of the explorations"),
+       every_flag(),
        input_flag("--model",
-                  "Trained system that evaluates the explorations, saved by 'somato run'")},
+                  "Trained system that evaluates the explorations, saved by 'somato run'"),
+       page_memory_flag()},
       {},
       run_view};
   for (Flag& flag : rendering_flags()) command.flags.push_back(std::move(flag));

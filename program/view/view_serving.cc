@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "report/pages.h"
+#include "som/memory_flag.h"
 #include "views/http/address.h"
 
 namespace somato::program {
@@ -43,6 +44,21 @@ std::vector<Flag> server_flags() {
        "Permit an --address that other machines can reach: anyone who has the start address can "
        "then see everything and move the body, and the address is transmitted without encryption",
        false, false}};
+}
+
+Flag page_memory_flag() {
+  return {
+      "--page-memory",
+      "Maximum memory for what a body has explored, such as 500MiB: the oldest explorations are "
+      "dropped. Default: 256MiB"};
+}
+
+Result<std::size_t> read_page_memory(const Arguments& arguments) {
+  constexpr std::size_t kLeast = std::size_t{1} << 20;  // a second of the fastest microphones
+  if (!arguments.has("page-memory")) return kPageMemory;
+  SOMATO_TRY(const auto bytes, bytes_in(arguments.text("page-memory"), "--page-memory"));
+  if (bytes >= kLeast) return bytes;
+  return fail(ErrorKind::kUsage, "must be at least 1MiB", "--page-memory");
 }
 
 Result<ViewServerSettings> read_server_settings(const Arguments& arguments) {

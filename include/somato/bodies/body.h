@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <span>
@@ -53,6 +54,9 @@ struct BodyLimits {
   double longest = std::numeric_limits<double>::infinity();  ///< Seconds of the body's time.
   std::function<bool()> should_continue =
       {};  ///< Called regularly; if it returns false, the exploration ends.
+  /// Bytes of the frames that an exploration collects. One with more has no frames at its end: its
+  /// observer has received them.
+  std::size_t memory = std::numeric_limits<std::size_t>::max();
 };
 
 /// A body with servos and sensors. Code that explores only uses this interface: the implementation
@@ -83,6 +87,8 @@ class Body {
 
   /// Sets the limits for step(); initially a body has none.
   void keep_to(BodyLimits limits) { limits_ = std::move(limits); }
+
+  const BodyLimits& limits() const { return limits_; }
 
   /// Sets a function that is called after each step.
   void observe(AfterStep after_step) { after_step_ = std::move(after_step); }

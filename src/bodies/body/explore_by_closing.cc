@@ -59,7 +59,7 @@ class ClosingHand {
         joints_(joints),
         fingers_(finger_servos(body.description())),
         targets_(present_targets(body)),
-        log_(body.description()) {}
+        log_(body.description(), body.limits().memory) {}
 
   Result<void> open() {
     if (fingers_.empty()) {

@@ -26,7 +26,7 @@ class GraspingHand {
         height_(height),
         wrist_(wrist),
         targets_(present_targets(body)),
-        log_(body.description()) {}
+        log_(body.description(), body.limits().memory) {}
 
   Result<void> open() {
     for (const Finger& finger : hand_.fingers) {

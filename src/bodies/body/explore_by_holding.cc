@@ -7,7 +7,7 @@
 namespace somato {
 
 Result<Exploration> explore_by_holding(Body& body, double duration, double step) {
-  FrameLog frames(body.description());
+  FrameLog frames(body.description(), body.limits().memory);
   while (body.state().time < duration) {
     SOMATO_TRY_VOID(body.step(step, Readings::kRecorded));
     SOMATO_TRY_VOID(frames.append(body.state()));

@@ -33,7 +33,7 @@ void append_readings(Channel& channel, const Matrix<float>& frames) {
   }
 }
 
-FrameLog::FrameLog(const BodyDescription& description) {
+FrameLog::FrameLog(const BodyDescription& description, std::size_t most) : most_(most) {
   sensors_.reserve(description.sensors.size());
   for (const ChannelDescription& sensor : description.sensors) {
     Channel channel = detail::empty_channel(sensor);
@@ -48,6 +48,7 @@ Result<void> FrameLog::append(const BodyState& state) {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     SOMATO_TRY_VOID(append(sensors_[i], state.readings[i], state.time));
   }
+  if (bytes_ > most_) drop_all();
   return {};
 }
 
@@ -67,11 +68,22 @@ Result<void> FrameLog::append(Sensor& sensor, const Matrix<float>& frames, doubl
                             channel.name, frames.rows()),
                 channel.name, "check the body's description");
   }
+  bytes_ += frames.values().size_bytes() + frames.rows() * sizeof(double);
+  if (bytes_ > most_) return {};
   append_readings(channel, frames);
   for (std::size_t i = 0; sensor.times_known && i < frames.rows(); ++i) {
     channel.times.push_back(frame_time(i, frames.rows(), sensor.rate, end));
   }
   return {};
+}
+
+// The number of elements of each channel remains.
+void FrameLog::drop_all() {
+  for (Sensor& sensor : sensors_) {
+    sensor.channel.frames = Matrix<float>(0, sensor.channel.frames.columns());
+    sensor.channel.times = {};
+    sensor.channel.valid = {};
+  }
 }
 
 std::vector<Channel> FrameLog::channels() && {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "somato/bodies/body.h"
@@ -22,14 +23,17 @@ void append_readings(Channel& channel, const Matrix<float>& frames);
 /// Collects the readings of a body during selected steps.
 class FrameLog {
  public:
-  explicit FrameLog(const BodyDescription& description);
+  /// Above `most` bytes of frames, all are dropped: the observer of the body has received them.
+  explicit FrameLog(const BodyDescription& description,
+                    std::size_t most = std::numeric_limits<std::size_t>::max());
 
   /// Adds the frames of the last step, as append_readings(). Errors (kData) name a sensor whose
   /// readings do not fit its description or the previous ones.
   Result<void> append(const BodyState& state);
 
   /// A channel for each sensor, with the time of each frame in seconds of the body's clock: an
-  /// omitted step leaves a gap, so that the times are not determined by a sensor's rate.
+  /// omitted step leaves a gap, so that the times are not determined by a sensor's rate. Without
+  /// frames if they took more memory than permitted.
   std::vector<Channel> channels() &&;
 
  private:
@@ -39,9 +43,12 @@ class FrameLog {
     bool times_known = true;
   };
 
-  static Result<void> append(Sensor& sensor, const Matrix<float>& frames, double end);
+  Result<void> append(Sensor& sensor, const Matrix<float>& frames, double end);
+  void drop_all();
 
   std::vector<Sensor> sensors_;
+  std::size_t most_;       // bytes
+  std::size_t bytes_ = 0;  // of all frames so far
 };
 
 }  // namespace somato

@@ -14,6 +14,14 @@ namespace {
 
 constexpr double kWait = 0.05;  // s, between two looks whether the body is to stop
 constexpr double kNanoseconds = 1e-9;
+constexpr double kGap = 3.0;                                  // times the usual interval
+constexpr std::size_t kMostIntervals = std::size_t{1} << 16;  // half a megabyte
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -91,6 +99,9 @@ void TopicBody::begin() {
   client_.take(0.0);
   arrivals_.clear();
   intervals_.clear();
+  later_ = 0;
+  longest_later_ = 0.0;
+  gaps_later_ = 0;
   first_time_.reset();
   state_.time = 0.0;
 }
@@ -98,15 +109,25 @@ void TopicBody::begin() {
 TopicTimes TopicBody::times() const {
   TopicTimes times;
   if (!first_time_) return times;
-  times.messages = intervals_.size() + 1;
+  times.messages = intervals_.size() + later_ + 1;
   if (intervals_.empty()) return times;
-  std::vector<double> sorted = intervals_;
-  std::sort(sorted.begin(), sorted.end());
-  times.usual = sorted[sorted.size() / 2];
-  times.longest = sorted.back();
-  times.gaps = static_cast<std::size_t>(std::count_if(
-      sorted.begin(), sorted.end(), [&](double each) { return each > 3.0 * times.usual; }));
+  times.usual = median_of(intervals_);
+  times.longest = std::max(longest_later_, *std::max_element(intervals_.begin(), intervals_.end()));
+  times.gaps = gaps_later_ + static_cast<std::size_t>(std::count_if(
+                                 intervals_.begin(), intervals_.end(),
+                                 [&](double each) { return each > kGap * times.usual; }));
   return times;
+}
+
+// An exploration may last for weeks.
+void TopicBody::keep_interval(double seconds) {
+  if (intervals_.size() < kMostIntervals) {
+    intervals_.push_back(seconds);
+    return;
+  }
+  if (later_++ == 0) usual_ = median_of(intervals_);
+  longest_later_ = std::max(longest_later_, seconds);
+  if (seconds > kGap * usual_) ++gaps_later_;
 }
 
 Result<void> TopicBody::drive_to(std::span<const double> targets) {
@@ -170,7 +191,7 @@ Result<void> TopicBody::keep_time(std::uint64_t time) {
                             static_cast<double>(last_time_ - time) * kNanoseconds),
                 topics_.front(), "begin again when the clock of the robot is set");
   } else {
-    intervals_.push_back(static_cast<double>(time - last_time_) * kNanoseconds);
+    keep_interval(static_cast<double>(time - last_time_) * kNanoseconds);
   }
   last_time_ = time;
   state_.time = static_cast<double>(time - *first_time_) * kNanoseconds;

@@ -83,6 +83,7 @@ class TopicBody : public Body {
   Result<void> take_values(std::size_t sensor, const Arrival& arrival);
   Result<void> keep_time(std::uint64_t time);
   Result<Arrival> next();
+  void keep_interval(double seconds);
   Error silent(const std::string& topic) const;
 
   TopicClient& client_;
@@ -95,7 +96,11 @@ class TopicBody : public Body {
   std::vector<double> values_;
   std::optional<std::uint64_t> first_time_;
   std::uint64_t last_time_ = 0;
-  std::vector<double> intervals_;
+  std::vector<double> intervals_;  // the first ones, which show the usual interval
+  double usual_ = 0.0;             // of these
+  std::size_t later_ = 0;          // intervals after them
+  double longest_later_ = 0.0;
+  std::size_t gaps_later_ = 0;
 };
 
 }  // namespace somato::topics

@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include "somato/bodies/explore_by.h"
 
 namespace somato::topics {
 namespace {
+
+constexpr auto kBetweenLooks = std::chrono::milliseconds(50);  // whether it is to stop
+constexpr int kLooks = 20;                                     // until it connects again
 
 constexpr double kStep = 0.01;  // s; a step ends with the next message however long that takes
 
@@ -36,22 +41,35 @@ Result<void> TopicExplorer::start() {
   return {};
 }
 
+// A robot that is restarted takes its time.
+Result<void> TopicExplorer::connect(const ExploreOptions& options) {
+  const auto& should_continue = options.limits.should_continue;
+  for (;;) {
+    auto started = start();
+    if (started) {
+      was_there_ = true;
+      return {};
+    }
+    client_.reset();
+    const bool is_missing = started.error().kind == ErrorKind::kSystem;
+    if (is_missing && !was_there_) started.error().kind = ErrorKind::kUnavailable;
+    if (!is_missing || !was_there_) return started;
+    for (int look = 0; look < kLooks; ++look) {
+      if (should_continue && !should_continue()) {
+        return fail(ErrorKind::kInterrupted, "stopped while waiting for the robot");
+      }
+      std::this_thread::sleep_for(kBetweenLooks);
+    }
+  }
+}
+
 std::vector<Label> TopicExplorer::labels(std::size_t thing, std::size_t trial) const {
   return {{"object", things().at(thing).name}, {"trial", fmt::format("{}", trial + 1)}};
 }
 
 Result<Exploration> TopicExplorer::explore_thing(std::size_t thing, std::size_t trial,
                                                  const ExploreOptions& options) {
-  if (!body_) {
-    auto started = start();
-    if (!started) {
-      client_.reset();
-      if (started.error().kind == ErrorKind::kSystem) {
-        started.error().kind = ErrorKind::kUnavailable;
-      }
-      return fail(std::move(started.error()));
-    }
-  }
+  if (!body_) SOMATO_TRY_VOID(connect(options));
   if (exploring_.place) SOMATO_TRY_VOID(exploring_.place(things()[thing], trial));
   body_->begin();
   auto explored =

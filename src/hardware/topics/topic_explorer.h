@@ -28,9 +28,9 @@ struct TopicExploring {
 };
 
 /// Records what topics report while a robot, which others move, explores a thing; used by one
-/// thread. The first exploration opens the connection. The labels of an exploration are `object`
-/// and `trial`. After a fault the next exploration connects again, and fails (kUnavailable) if that
-/// is not possible.
+/// thread. The first exploration opens the connection, and fails (kUnavailable) if that is not
+/// possible. The labels of an exploration are `object` and `trial`. After a fault the next
+/// exploration connects again; it waits for a robot that was there, as long as its limits permit.
 class TopicExplorer : public Explorer {
  public:
   /// Errors (kUsage): no things, no sensors, the address.
@@ -50,8 +50,10 @@ class TopicExplorer : public Explorer {
   TopicExplorer(std::vector<ExploredThing> things, TopicExploring exploring);
 
   Result<void> start();
+  Result<void> connect(const ExploreOptions& options);
 
   TopicExploring exploring_;
+  bool was_there_ = false;
   std::unique_ptr<TopicClient> client_;
   std::unique_ptr<TopicBody> body_;  // Ends before its client.
 };

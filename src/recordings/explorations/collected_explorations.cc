@@ -1,5 +1,7 @@
 #include "recordings/explorations/collected_explorations.h"
 
+#include "recordings/explorations/growing_channel.h"
+
 namespace somato {
 
 Result<void> CollectedExplorations::begin_exploration(const ExplorationStart& start) {
@@ -10,8 +12,7 @@ Result<void> CollectedExplorations::begin_exploration(const ExplorationStart& st
 
 Result<void> CollectedExplorations::frame(std::size_t channel, std::span<const float> values,
                                           double time, std::span<const std::uint8_t> valid) {
-  channels_[channel].frames.add(values, valid, time);
-  channels_[channel].elements = values.size();
+  add_frame(channels_[channel], values, time, valid);
   return {};
 }
 
@@ -21,7 +22,7 @@ Result<void> CollectedExplorations::end_exploration() {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     ChannelDescription description = start_.channels[i];
     description.times_known = description.times_known && description.rate == 0.0;
-    exploration.channels.push_back(channels_[i].frames.take(description, channels_[i].elements));
+    exploration.channels.push_back(described(std::move(channels_[i]), description, 0));
   }
   return take_(std::move(exploration));
 }

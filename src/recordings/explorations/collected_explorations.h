@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "recordings/explorations/collected_channel.h"
 #include "somato/recording/frame_sink.h"
 
 namespace somato {
@@ -25,14 +24,9 @@ class CollectedExplorations final : public FrameSink {
   Result<void> end_exploration() override;
 
  private:
-  struct OpenChannel {
-    CollectedChannel frames;
-    std::size_t elements = 0;
-  };
-
   Take take_;
   ExplorationStart start_;
-  std::vector<OpenChannel> channels_;
+  std::vector<Channel> channels_;
 };
 
 }  // namespace somato

@@ -18,6 +18,14 @@ void GivenNames::give(std::size_t exploration, const Label& label) {
   given_[exploration][label.name] = label.value;
 }
 
+void GivenNames::forget_before(std::size_t first) {
+  const auto end = given_.lower_bound(first);
+  for (auto gone = given_.begin(); gone != end; ++gone) {
+    for (const auto& [name, value] : gone->second) forgotten_.insert(name);
+  }
+  given_.erase(given_.begin(), end);
+}
+
 std::optional<std::string> GivenNames::given(std::size_t exploration,
                                              const std::string& label) const {
   const auto labels = given_.find(exploration);
@@ -27,6 +35,7 @@ std::optional<std::string> GivenNames::given(std::size_t exploration,
 }
 
 std::vector<Label> GivenNames::labels(std::size_t exploration, std::vector<Label> own) const {
+  for (const std::string& name : forgotten_) find_or_add(own, name);
   for (const auto& [index, labels] : given_) {
     for (const auto& [name, value] : labels) {
       Label& label = find_or_add(own, name);
@@ -36,10 +45,10 @@ std::vector<Label> GivenNames::labels(std::size_t exploration, std::vector<Label
   return own;
 }
 
-Recording GivenNames::apply(const Recording& recording) const {
+Recording GivenNames::apply(const Recording& recording, std::size_t first) const {
   Recording named = recording;
   for (std::size_t i = 0; i < named.explorations.size(); ++i) {
-    named.explorations[i].labels = labels(i, std::move(named.explorations[i].labels));
+    named.explorations[i].labels = labels(first + i, std::move(named.explorations[i].labels));
   }
   return named;
 }

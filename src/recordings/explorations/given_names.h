@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,21 +22,26 @@ class GivenNames {
   /// Takes back what was given to an exploration that was discarded.
   void forget(std::size_t exploration) { given_.erase(exploration); }
 
+  /// Takes back what was given to the explorations before `first`, which are no longer kept. Their
+  /// labels remain names of labels of all explorations.
+  void forget_before(std::size_t first);
+
   /// The value of the label that was given to an exploration, or nothing.
   std::optional<std::string> given(std::size_t exploration, const std::string& label) const;
 
-  bool empty() const { return given_.empty(); }
+  bool empty() const { return given_.empty() && forgotten_.empty(); }
 
   /// The labels of an exploration, with the given ones in the place of those with the same name. A
   /// label that was given to another exploration only is "unknown", as all explorations of a
   /// recording have the same labels.
   std::vector<Label> labels(std::size_t exploration, std::vector<Label> own) const;
 
-  /// A copy with these labels.
-  Recording apply(const Recording& recording) const;
+  /// A copy with these labels; the first of its explorations has the index `first`.
+  Recording apply(const Recording& recording, std::size_t first = 0) const;
 
  private:
   std::map<std::size_t, std::map<std::string, std::string>> given_;
+  std::set<std::string> forgotten_;  // names of labels of explorations that are no longer kept
 };
 
 }  // namespace somato

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <utility>
 
 #include "base/files/replacement.h"
 #include "recordings/explorations/exploration_frames.h"
+#include "recordings/explorations/growing_channel.h"
 #include "recordings/file/partial_file.h"
 #include "recordings/file/recording_layout.h"
 #include "recordings/mcap/mcap_records.h"
@@ -42,41 +44,98 @@ std::size_t header_size() {
 
 }  // namespace
 
-Result<std::unique_ptr<GrowingRecording>> GrowingRecording::begin(const std::string& path) {
-  return begin(operating_system(), path);
+Result<std::unique_ptr<GrowingRecording>> GrowingRecording::begin(const std::string& path,
+                                                                  Rollover rollover) {
+  return begin(operating_system(), path, std::move(rollover));
 }
 
 Result<std::unique_ptr<GrowingRecording>> GrowingRecording::begin(FileSystem& files,
-                                                                  const std::string& path) {
-  std::unique_ptr<GrowingRecording> recording(new GrowingRecording(files, path));
-  if (is_written_directly(path)) {
-    SOMATO_TRY(auto direct, RecordingFile::begin(files, path));
-    recording->direct_.emplace(std::move(direct));
-    return recording;
+                                                                  const std::string& path,
+                                                                  Rollover rollover) {
+  std::unique_ptr<GrowingRecording> recording(
+      new GrowingRecording(files, path, std::move(rollover)));
+  SOMATO_TRY_VOID(recording->open());
+  return recording;
+}
+
+// No file of the same second is replaced.
+std::string GrowingRecording::free_path() const {
+  constexpr std::size_t kMostCopies = 1000;
+  const auto is_free = [&](const std::string& path) {
+    const auto file = OpenFile::open(*files_, path, Opening::kRead);
+    return !file && file.error() == ENOENT;
+  };
+  for (std::size_t copy = 1;; ++copy) {
+    std::string path = path_at(pattern_, begun_, copy);
+    if (path == pattern_ || copy == kMostCopies) return path;
+    if (is_free(path) && is_free(partial_path(path))) return path;
+  }
+}
+
+Result<void> GrowingRecording::open() {
+  begun_ = rollover_.time();
+  bytes_ = 0;
+  path_ = free_path();
+  auto opened = open_partial();
+  problem_ = opened ? std::nullopt : std::optional(opened.error());
+  return opened;
+}
+
+Result<void> GrowingRecording::open_partial() {
+  if (is_written_directly(path_)) {
+    SOMATO_TRY(auto direct, RecordingFile::begin(*files_, path_));
+    direct_.emplace(std::move(direct));
+    return {};
   }
   // A session does not begin where its file could not be written at the end.
-  SOMATO_TRY_VOID(Replacement::begin(files, path).map([](const Replacement&) {}));
-  SOMATO_TRY(auto file, create_partial_file(files, path, header_size()));
+  SOMATO_TRY_VOID(Replacement::begin(*files_, path_).map([](const Replacement&) {}));
+  SOMATO_TRY(auto file, create_partial_file(*files_, path_, header_size()));
   RecordingFileParameters parameters;
   parameters.flush_after = kFlushAfter;
   // Many small chunks for a short time: to compress and to decompress them costs as much as all
   // else, and the copy that remains is compressed.
   parameters.compression = Compression::kNone;
-  auto writer = RecordingWriter::write_into(std::move(file), partial_path(path), parameters);
+  auto writer = RecordingWriter::write_into(std::move(file), partial_path(path_), parameters);
   if (!writer) {
-    (void)files.remove(partial_path(path));
+    (void)files_->remove(partial_path(path_));
     return fail(std::move(writer.error()));
   }
-  recording->partial_.emplace(std::move(*writer));
-  return recording;
+  partial_.emplace(std::move(*writer));
+  return {};
 }
 
 GrowingRecording::~GrowingRecording() {
-  if (partial_ && count() == 0 && !draft_) (void)remove_partial();
+  if (partial_ && added_.empty() && !draft_) (void)remove_partial();
+}
+
+// The next file begins at the next exploration, so that names can be given until then.
+Result<void> GrowingRecording::roll() {
+  if (added_.empty() || !is_due()) return {};
+  std::vector<Label> labels = std::exchange(next_labels_, {});
+  SOMATO_TRY_VOID(finish());
+  next_labels_ = std::move(labels);
+  leave_file();
+  return open();
+}
+
+void GrowingRecording::leave_file() {
+  files_before_ = files();
+  before_ = count();
+  added_.clear();
+  draft_.reset();
+  partial_.reset();
+}
+
+Result<bool> GrowingRecording::begin_again() {
+  if (direct_ || !is_due()) return false;
+  leave_file();
+  return open().map([] { return true; });
 }
 
 Result<void> GrowingRecording::begin_draft(const ExplorationStart& start) {
+  if (problem_) return fail(*problem_);
   if (!partial_) return {};
+  SOMATO_TRY_VOID(roll());
   const std::vector<Label> labels = std::exchange(next_labels_, {});
   SOMATO_TRY_VOID(drop_draft());
   SOMATO_TRY_VOID(with_advice(partial_->begin_exploration(start)));
@@ -88,6 +147,7 @@ Result<void> GrowingRecording::begin_draft(const ExplorationStart& start) {
 Result<void> GrowingRecording::draft_frame(std::size_t channel, std::span<const float> values,
                                            double time) {
   if (!partial_) return {};
+  bytes_ += values.size_bytes() + sizeof(double);
   return with_advice(partial_->frame(channel, values, time));
 }
 
@@ -95,11 +155,23 @@ Result<void> GrowingRecording::end_open() {
   return partial_->is_open() ? partial_->end_exploration() : Result<void>();
 }
 
+Result<void> GrowingRecording::keep_draft() {
+  if (!draft_) {
+    return fail(ErrorKind::kUsage, "the exploration was not saved while it took place", path_,
+                "write to a file, or explore for a shorter time");
+  }
+  next_labels_.clear();
+  SOMATO_TRY_VOID(with_advice(end_open().and_then([&] { return partial_->synchronize(); })));
+  added_.push_back(*std::exchange(draft_, std::nullopt));
+  return {};
+}
+
 Result<void> GrowingRecording::drop_draft() {
   next_labels_.clear();
   if (!draft_) return {};
-  const std::uint64_t draft = *std::exchange(draft_, std::nullopt);
-  return with_advice(end_open().and_then([&] { return partial_->leave_out(draft); }));
+  auto dropped = with_advice(end_open().and_then([&] { return partial_->leave_out(*draft_); }));
+  if (dropped) draft_.reset();  // else its frames can be recovered
+  return dropped;
 }
 
 Result<void> GrowingRecording::label_next(std::uint64_t index) {
@@ -110,6 +182,8 @@ Result<void> GrowingRecording::label_next(std::uint64_t index) {
 }
 
 Result<void> GrowingRecording::add(Exploration exploration) {
+  if (problem_) return fail(*problem_);
+  if (!draft_ && partial_) SOMATO_TRY_VOID(roll());
   Result<void> added = direct_ ? direct_->add(std::move(exploration))
                                : with_advice(add_valid(std::move(exploration)));
   if (added && direct_) added_.push_back(count());
@@ -129,6 +203,7 @@ Result<void> GrowingRecording::add_valid(Exploration exploration) {
 Result<void> GrowingRecording::add_to_partial(const Exploration& exploration) {
   SOMATO_TRY_VOID(end_open());
   const std::uint64_t index = partial_->explorations();
+  for (const Channel& channel : exploration.channels) bytes_ += draft_ ? 0 : bytes_of(channel);
   Result<void> handed = hand_frames(exploration, *partial_);
   if (!handed && partial_->is_open()) {
     SOMATO_TRY_VOID(end_open());
@@ -147,8 +222,12 @@ Result<void> GrowingRecording::name(std::size_t exploration, const Label& label)
     return fail(ErrorKind::kUsage, "this exploration is written already", path_,
                 "write to a file, in which names can follow");
   }
+  if (exploration < before_) {
+    return fail(ErrorKind::kUsage, "this exploration is in an earlier file, which is complete",
+                path_, "give a name before the next exploration begins");
+  }
   if (exploration < count()) {
-    return with_advice(partial_->label(added_[exploration], label).and_then([&] {
+    return with_advice(partial_->label(added_[exploration - before_], label).and_then([&] {
       return partial_->synchronize();
     }));
   }
@@ -157,9 +236,10 @@ Result<void> GrowingRecording::name(std::size_t exploration, const Label& label)
 }
 
 Result<void> GrowingRecording::finish() {
+  if (problem_) return fail(*problem_);
   if (direct_) return direct_->finish();
   SOMATO_TRY_VOID(drop_draft());
-  if (count() == 0) return remove_partial();
+  if (added_.empty()) return remove_partial();
   return with_advice(partial_->close().and_then([&] { return copy(); }).and_then([&] {
            return check_copy();
          }))
@@ -176,9 +256,10 @@ Result<void> GrowingRecording::copy() const {
 Result<void> GrowingRecording::check_copy() const {
   CountingSink read;
   SOMATO_TRY_VOID(hand_file(*files_, path_, read));
-  if (read.count() == count()) return {};
+  if (read.count() == added_.size()) return {};
   return fail(ErrorKind::kSystem,
-              fmt::format("{} of {} explorations can be read back", read.count(), count()), path_);
+              fmt::format("{} of {} explorations can be read back", read.count(), added_.size()),
+              path_);
 }
 
 // Another process does not touch the file until then, because it has data.
@@ -198,7 +279,7 @@ Result<void> GrowingRecording::with_advice(Result<void> done) const {
   if (error.advice.ends_with(recover_command(path_))) return done;
   error.advice += fmt::format(
       "{}{} in {}; afterwards: {}", error.advice.empty() ? "" : "; ",
-      added_.size() == 1 ? "1 exploration is" : fmt::format("{} explorations are", count()),
+      added_.size() == 1 ? "1 exploration is" : fmt::format("{} explorations are", added_.size()),
       partial_path(path_), recover_command(path_));
   return done;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/core/memory.h"
-#include "recordings/explorations/collected_channel.h"
+#include "recordings/explorations/growing_channel.h"
 #include "recordings/explorations/nanoseconds.h"
 #include "recordings/explorations/spooled_frames.h"
 #include "recordings/file/recording_interpreter.h"
@@ -72,7 +72,7 @@ class RecordingReader::Impl {
   Result<void> collect(const Frame& frame) {
     channels_.resize(interpreter_.channels().size());
     SOMATO_TRY_VOID(take_memory(frame));
-    channels_[frame.channel].add(frame.values, frame.valid, seconds_of(frame.time));
+    add_frame(channels_[frame.channel], frame.values, seconds_of(frame.time), frame.valid);
     return {};
   }
 
@@ -109,15 +109,16 @@ class RecordingReader::Impl {
     exploration.channels.reserve(channels_.size());
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const InterpretedChannel& channel = interpreter_.channels()[i];
-      exploration.channels.push_back(channels_[i].take(channel.description, channel.elements));
+      exploration.channels.push_back(
+          described(std::exchange(channels_[i], {}), channel.description, channel.elements));
     }
     return exploration;
   }
 
   McapReader file_;
   RecordingInterpreter interpreter_;
-  std::vector<CollectedChannel> channels_;  // For next() without a sink.
-  SpooledFrames spooled_;                   // For next() with one.
+  std::vector<Channel> channels_;  // For next() without a sink.
+  SpooledFrames spooled_;          // For next() with one.
   std::size_t most_memory_;
   std::size_t taken_ = 0;  // bytes of all frames so far
   bool done_ = false;

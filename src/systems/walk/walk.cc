@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/core/contains.h"
+#include "base/core/memory.h"
 #include "somato/core/check.h"
 #include "systems/modules/finite.h"
 
@@ -42,6 +43,7 @@ Result<void> Walk::start(const Exploration* exploration, const Known& known) {
 Result<void> Walk::open(std::size_t module, const Exploration* exploration) {
   Place& place = places_[module];
   if (!place.source) return {};
+  place.dropped = 0;
   require(exploration != nullptr, "a walk over channels needs an exploration");
   Result<const Channel*> found = find_channel(*exploration, place.source->channel());
   if (!found) return fail(system_.at_module(std::move(found.error()), module));
@@ -62,7 +64,7 @@ Result<void> Walk::open(std::size_t module, const Exploration* exploration) {
 void Walk::restart(const Part& part) {
   for (const std::size_t module : part.modules) {
     Place& place = places_[module];
-    if (plan_[module].is_kept) place.kept = SampleCollector();
+    if (plan_[module].is_kept) discard_kept(module);
     const Module& walked = *at(module).module;
     if (!place.source && walked.is_stepped()) place.runner = walked.start();
   }
@@ -103,12 +105,14 @@ std::size_t Walk::frames_in(std::size_t stream) const {
   return frames;
 }
 
-Result<void> Walk::follow(std::span<const std::size_t> frames) {
+Result<void> Walk::follow(std::span<const std::size_t> frames,
+                          std::span<const std::size_t> dropped) {
   std::vector<std::size_t> come(frames_.size(), kNoLimit);
   for (std::size_t module = 0; module < places_.size(); ++module) {
     if (!plan_[module].is_walked || !places_[module].source) continue;
     std::size_t& least = come[plan_[module].group];
     least = std::min(least, frames[places_[module].channel_number]);
+    if (!dropped.empty()) places_[module].dropped = dropped[places_[module].channel_number];
   }
   for (std::size_t stream = 0; stream < frames_.size(); ++stream) {
     while (frames_[stream] < come[stream]) {
@@ -152,15 +156,16 @@ Result<void> Walk::step_module(std::size_t module, const Part& part, std::size_t
     if (!computed && part.takes_frames && !places_[module].source) {
       computed.error().what += fmt::format(" (frame {})", frame + 1);
     }
-    if (computed && gives_value && plan_[module].is_kept) keep(module);
-    return computed;
+    return computed && gives_value && plan_[module].is_kept ? keep(module) : computed;
   });
 }
 
 Result<void> Walk::compute(std::size_t module, const Part& part, std::size_t frame,
                            std::size_t row) {
   Place& place = places_[module];
-  if (place.source) return place.source->read(*place.channel, row, frame == 0, place.now);
+  if (place.source) {
+    return place.source->read(*place.channel, row - place.dropped, frame == 0, place.now);
+  }
   if (plan_[module].delays_loop) {
     take_delayed(module, frame == 0);
     return {};
@@ -189,8 +194,22 @@ SignalView Walk::view_of(std::size_t input, std::size_t group, std::size_t frame
   return is_present ? from.now.view() : from.sequence.values[frame];
 }
 
-void Walk::keep(std::size_t module) {
-  places_[module].kept.add(places_[module].now.view());
+Result<void> Walk::keep(std::size_t module) {
+  const SignalView now = places_[module].now.view();
+  places_[module].kept.add(now);
+  const std::size_t bytes = now.values.size_bytes() + now.indices.size_bytes();
+  places_[module].kept_bytes += bytes;
+  kept_ += bytes;
+  if (kept_ <= most_kept_) return {};
+  return fail(ErrorKind::kData,
+              fmt::format("a module that follows needs all its frames of an exploration, and they "
+                          "take more memory than the permitted {}",
+                          memory_text(static_cast<double>(most_kept_))));
+}
+
+void Walk::discard_kept(std::size_t module) {
+  kept_ -= std::exchange(places_[module].kept_bytes, 0);
+  places_[module].kept = SampleCollector();
 }
 
 Result<void> Walk::settle() {
@@ -212,8 +231,8 @@ Result<void> Walk::finish(const Part& part) {
     place.runner->value(place.now);
     SOMATO_TRY_VOID(check_finite(place.now.view()));
     if (!plan_[module].is_kept) return {};
-    place.kept = SampleCollector();
-    keep(module);
+    discard_kept(module);
+    SOMATO_TRY_VOID(keep(module));
     place.sequence = {place.kept.samples(), place.rate};
     return {};
   });
@@ -222,8 +241,7 @@ Result<void> Walk::finish(const Part& part) {
 Result<void> Walk::settle_part(const Part& part) {
   if (!at(part.modules.front()).module->is_stepped()) return run_whole(part.modules.front());
   if (!part.takes_frames) {
-    Place& place = places_[part.modules.front()];
-    if (plan_[part.modules.front()].is_kept) place.kept = SampleCollector();
+    if (plan_[part.modules.front()].is_kept) discard_kept(part.modules.front());
     SOMATO_TRY_VOID(step_part(part, 0, 0));
     give_sequence(part);
     return {};

@@ -48,9 +48,15 @@ class Walk {
   Result<void> run();
 
   /// Walks on until the channels have given `frames[i]` frames each, i being the number of a
-  /// channel in the exploration. Channels whose frames are taken together wait for each other.
-  /// Errors as run().
-  Result<void> follow(std::span<const std::size_t> frames);
+  /// channel in the exploration. Channels whose frames are taken together wait for each other. The
+  /// first `dropped[i]` of them, which were followed before, are no longer in the exploration;
+  /// empty: all are. Errors as run().
+  Result<void> follow(std::span<const std::size_t> frames,
+                      std::span<const std::size_t> dropped = {});
+
+  /// The most memory of the frames that modules store, in bytes. Above, an error (kData) names the
+  /// module.
+  void limit_memory(std::size_t most) { most_kept_ = most; }
 
   /// Processes one more frame of all inputs; the values of channels are in row `row` of their
   /// frames. Errors as run().
@@ -97,12 +103,14 @@ class Walk {
     const Source* source = nullptr;    // of a module that reads a channel
     const Channel* channel = nullptr;  // which it reads
     std::size_t channel_number = 0;    // in the exploration
+    std::size_t dropped = 0;           // frames of the channel
     std::unique_ptr<Runner> runner;    // of any other stepped module
     const Sequence* known = nullptr;
     std::size_t frames = kNoLimit;   // that there are
     double rate = 0.0;               // frames per second
     SignalBuffer now;                // the output for the present frame, or for the exploration
     SampleCollector kept;            // all outputs so far, where they are kept
+    std::size_t kept_bytes = 0;      // of them
     Sequence sequence;               // the same after settle(), or the output of a whole module
     std::vector<SignalView> inputs;  // of the present step
   };
@@ -127,7 +135,8 @@ class Walk {
   Result<void> finish(const Part& part);
   Result<void> run_whole(std::size_t module);
   void give_sequence(const Part& part);
-  void keep(std::size_t module);
+  Result<void> keep(std::size_t module);
+  void discard_kept(std::size_t module);
 
   template <typename Work>
   Result<void> at_module(std::size_t module, const Work& work);
@@ -137,6 +146,8 @@ class Walk {
   std::vector<Place> places_;        // of each module
   std::vector<std::size_t> frames_;  // so far, of each stream
   std::size_t steps_ = 0;
+  std::size_t most_kept_ = kNoLimit;  // bytes
+  std::size_t kept_ = 0;              // bytes of the frames that are stored
   bool is_settled_ = false;
 };
 

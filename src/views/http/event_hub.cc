@@ -47,6 +47,11 @@ bool EventHub::acknowledge(std::uint64_t viewer, std::uint64_t number) {
   return true;
 }
 
+std::size_t EventHub::left() const {
+  const std::scoped_lock lock(mutex_);
+  return subscribed_ - viewers_.size();
+}
+
 void EventHub::close() {
   {
     const std::scoped_lock lock(mutex_);

@@ -47,6 +47,9 @@ class EventHub {
 
   std::size_t viewers() const;
 
+  /// The number of viewers whose connection has ended. From any thread.
+  std::size_t left() const;
+
   /// Viewer `viewer` has received the events up to those with this number. Returns whether there is
   /// such a viewer; from any thread.
   bool acknowledge(std::uint64_t viewer, std::uint64_t number);

@@ -48,6 +48,9 @@ class ChosenSystem {
   /// Whether the system's last answer is that it does not know what was explored.
   bool answers_unknown() const;
 
+  /// See Teachers.
+  void settle_before(std::size_t kept) { teachers_.settle_before(kept); }
+
   /// All systems return to what they were before they were taught.
   void forget();
 

@@ -35,44 +35,48 @@ bool is_of_touch(const std::string& channel) {
 
 }  // namespace
 
-// The explorations of a body only grow in number: earlier findings remain valid.
+// New explorations of a body follow the earlier ones, of which the findings remain valid.
 void Inquiries::turn_to(const InquiredSystem& system) {
-  const bool is_known = current_.model == system.model && current_.recording->explorations.size() <=
-                                                              system.recording->explorations.size();
-  current_ = system;
+  const std::size_t end = system.first + system.recording->explorations.size();
+  const bool is_known = model_ == system.model && end_ <= end;
+  model_ = system.model;
+  end_ = end;
   if (is_known) return;
   maps_.clear();
-  for (std::size_t i = 0; i < current_.model->system.modules().size(); ++i) {
-    if (som_of(current_.model->system, i) == nullptr) continue;
-    maps_.push_back({i, channel_planes(current_.model->system, i), 0, {}});
+  for (std::size_t i = 0; i < model_->system.modules().size(); ++i) {
+    if (som_of(model_->system, i) == nullptr) continue;
+    maps_.push_back({i, channel_planes(model_->system, i), 0, {}});
   }
 }
 
 Inquiries::KnownMap* Inquiries::find(const std::string& map) {
   const auto found = std::find_if(maps_.begin(), maps_.end(), [&](const KnownMap& one) {
-    return current_.model->system.modules()[one.module].name == map;
+    return model_->system.modules()[one.module].name == map;
   });
   return found == maps_.end() ? nullptr : &*found;
 }
 
 // An exploration that does not fit the system has no input, and is near to no neuron.
-Result<void> Inquiries::find_inputs(KnownMap& map) const {
-  const System& system = current_.model->system;
+Result<void> Inquiries::find_inputs(const InquiredSystem& inquired, KnownMap& map) const {
+  const System& system = model_->system;
   if (system.modules()[map.module].output.rate == Rate::kFrame) return {};
   const std::size_t input = system.modules()[map.module].inputs.front();
-  const std::size_t explorations = current_.recording->explorations.size();
-  for (; map.seen < std::min(explorations, kMostExplorationsReplied); ++map.seen) {
+  const std::size_t first = inquired.first;
+  const std::size_t explorations = inquired.recording->explorations.size();
+  while (!map.inputs.empty() && map.inputs.front().exploration < first) map.inputs.pop_front();
+  map.seen = std::max(map.seen, first);
+  for (; map.seen < first + std::min(explorations, kMostExplorationsReplied); ++map.seen) {
     if (is_over_()) return fail(ErrorKind::kUsage, "the view is closing");
     Activations activations(system.modules().size(), explorations);
-    const std::array<std::size_t, 1> one{map.seen};
-    if (!evaluate(system, *current_.recording, one, {input}, 1, activations)) continue;
-    map.inputs.push_back({map.seen, Signal::copy_of(activations.find(input, map.seen)->values[0])});
+    const std::array<std::size_t, 1> one{map.seen - first};
+    if (!evaluate(system, *inquired.recording, one, {input}, 1, activations)) continue;
+    map.inputs.push_back({map.seen, Signal::copy_of(activations.find(input, one[0])->values[0])});
   }
   return {};
 }
 
-Json Inquiries::nearest(const KnownMap& map, std::size_t neuron) const {
-  const Som& som = *som_of(current_.model->system, map.module);
+Json Inquiries::nearest(const InquiredSystem& system, const KnownMap& map, std::size_t neuron) {
+  const Som& som = *som_of(system.model->system, map.module);
   SomWorkspace workspace;
   std::vector<std::pair<double, std::size_t>> distances;
   distances.reserve(map.inputs.size());
@@ -85,7 +89,8 @@ Json Inquiries::nearest(const KnownMap& map, std::size_t neuron) const {
     const auto& [distance, exploration] = distances[i];
     nearest.push_back(
         {{"exploration", exploration},
-         {"labels", detail::labels_json(current_.recording->explorations[exploration].labels)},
+         {"labels",
+          detail::labels_json(system.recording->explorations[exploration - system.first].labels)},
          {"distance", distance}});
   }
   return nearest;
@@ -97,12 +102,12 @@ Result<std::string> Inquiries::neuron(const InquiredSystem& system, const std::s
   turn_to(system);
   KnownMap* known = find(map);
   if (known == nullptr) return fail(ErrorKind::kUsage, "unknown map");
-  const Som& som = *som_of(current_.model->system, known->module);
+  const Som& som = *som_of(model_->system, known->module);
   if (neuron >= som.neurons()) {
     return fail(ErrorKind::kUsage, fmt::format("the map has {} neurons", som.neurons()));
   }
-  SOMATO_TRY_VOID(find_inputs(*known));
-  const auto& answer = current_.model->answer;
+  SOMATO_TRY_VOID(find_inputs(system, *known));
+  const auto& answer = model_->answer;
   const bool answers = answer && answer->map == map && answer->labels[neuron];
   Json planes = Json::array();
   for (const ChannelPlanes& one : known->planes) planes.push_back(plane_json(one, neuron));
@@ -110,7 +115,7 @@ Result<std::string> Inquiries::neuron(const InquiredSystem& system, const std::s
                     {"neuron", neuron},
                     {"answer", answers ? Json(answer->classes[*answer->labels[neuron]]) : Json()},
                     {"planes", std::move(planes)},
-                    {"nearest", nearest(*known, neuron)}});
+                    {"nearest", nearest(system, *known, neuron)}});
 }
 
 Result<std::string> Inquiries::taxel(const InquiredSystem& system, std::size_t element) {
@@ -127,7 +132,7 @@ Result<std::string> Inquiries::taxel(const InquiredSystem& system, std::size_t e
         const double weight = planes.values(neuron, element);
         weights.push_back(std::isfinite(weight) ? weight : 0.0);
       }
-      maps[current_.model->system.modules()[one.module].name] = std::move(weights);
+      maps[model_->system.modules()[one.module].name] = std::move(weights);
     }
   }
   if (maps.empty())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -21,6 +22,7 @@ namespace somato::live {
 struct InquiredSystem {
   std::shared_ptr<const SystemModel> model;
   std::shared_ptr<const Recording> recording;
+  std::size_t first = 0;  ///< The index of its first exploration.
 };
 
 /// Answers questions about a system that has learned, in JSON as docs/formats/view.md says. From
@@ -32,7 +34,7 @@ class Inquiries {
       : is_over_(std::move(is_over)) {}
 
   /// Describes a neuron of a map, and the explorations that are nearest to it, of the first two
-  /// thousand. Errors (kUsage): no such map or neuron; all is over.
+  /// thousand that are kept. Errors (kUsage): no such map or neuron; all is over.
   Result<std::string> neuron(const InquiredSystem& system, const std::string& map,
                              std::size_t neuron);
 
@@ -42,24 +44,25 @@ class Inquiries {
 
  private:
   struct ExplorationInput {
-    std::size_t exploration = 0;
+    std::size_t exploration = 0;  ///< Its index.
     Signal signal;
   };
   struct KnownMap {
     std::size_t module = 0;
     std::vector<ChannelPlanes> planes;
-    std::size_t seen = 0;                  ///< Explorations.
-    std::vector<ExplorationInput> inputs;  ///< None where they come with every frame.
+    std::size_t seen = 0;                 ///< The index after the last exploration in `inputs`.
+    std::deque<ExplorationInput> inputs;  ///< None where they come with every frame.
   };
 
   void turn_to(const InquiredSystem& system);
   KnownMap* find(const std::string& map);
-  Result<void> find_inputs(KnownMap& map) const;
-  Json nearest(const KnownMap& map, std::size_t neuron) const;
+  Result<void> find_inputs(const InquiredSystem& inquired, KnownMap& map) const;
+  static Json nearest(const InquiredSystem& system, const KnownMap& map, std::size_t neuron);
 
   std::function<bool()> is_over_;
   std::mutex mutex_;
-  InquiredSystem current_;
+  std::shared_ptr<const SystemModel> model_;  // of the last question
+  std::size_t end_ = 0;                       // the index after the last exploration then
   std::vector<KnownMap> maps_;
 };
 

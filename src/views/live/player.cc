@@ -12,7 +12,7 @@
 namespace somato::live {
 namespace {
 
-constexpr std::size_t kMostExplorations = 10000;        // of a body
+constexpr std::size_t kUnread = std::size_t{1} << 20;   // bytes of frames without a page
 constexpr double kBetweenExplorations = 1.5;            // s
 constexpr double kLongerResult = 3.0;                   // times the pause after a result
 constexpr auto kSlice = std::chrono::milliseconds(20);  // between two tasks, while it follows
@@ -21,6 +21,11 @@ template <typename... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
 };
+
+bool has_frames(const Exploration& exploration) {
+  return std::any_of(exploration.channels.begin(), exploration.channels.end(),
+                     [](const Channel& channel) { return !channel.frames.empty(); });
+}
 
 tl::unexpected<Error> not_now(std::string what) {
   return fail(ErrorKind::kUsage, std::move(what));
@@ -47,7 +52,8 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
       queue_(queue),
       replay_(hub, pace_, source_.readings),
       chosen_(source_, replay_),
-      kept_(source_.recording, source_.file),
+      kept_(source_),
+      memory_{settings.memory / 4, settings.has_page ? settings.memory : 0},
       audience_(beginning_of(source_, settings), may_rest(source_, settings)),
       plan_(std::move(source_.plan), source_.demonstrates, source_.thing),
       result_pause_(settings.result_pause),
@@ -55,6 +61,7 @@ Player::Player(ViewSource source, const ViewSettings& settings, EventHub& hub, T
                     [this](BodyStep step) { coming_ = std::move(step); },
                     [this](auto explored) { finish(std::move(explored)); }}) {
   pace_.speed = settings.speed;
+  replay_.limit_memory(settings.memory / 2);
 }
 
 void Player::begin() {
@@ -84,6 +91,7 @@ void Player::guarded(const std::function<void()>& work) {
     rest();
     replay_.give_up();
     body_.stop();
+    if (!body_.is_exploring()) end_growing();
     publish_state();
     replay_.tap().finish(fail(ErrorKind::kData, problem_));
   }
@@ -165,11 +173,11 @@ void Player::begin_seen() {
 }
 
 void Player::begin_exploration(std::size_t index) {
-  begin_exploration(index, std::make_shared<Timeline>(source_.recording.explorations[index]));
+  begin_exploration(index, std::make_shared<Timeline>(kept_[index]));
 }
 
 void Player::begin_exploration(std::size_t index, std::shared_ptr<const Timeline> timeline) {
-  const Exploration& chosen = source_.recording.explorations[index];
+  const Exploration& chosen = kept_[index];
   std::shared_ptr<ScenePlayer> scene = kept_.scene(index);
   if (!scene && source_.scenes) scene = source_.scenes(chosen);
   replay_.begin({index, &chosen, std::move(timeline), std::move(scene)});
@@ -219,7 +227,7 @@ void Player::play_next_of_demonstration() {
     plan_.complete_round();
     chosen_.forget();
   }
-  begin_exploration(was_last ? 0 : next);
+  begin_exploration(was_last ? kept_.first() : next);
   replay_.show(0);
 }
 
@@ -249,6 +257,7 @@ Result<void> Player::play() {
 
 // Beyond the last explored moment, the body continues.
 Result<void> Player::step(std::int64_t frames) {
+  const auto first = static_cast<std::int64_t>(replay_.first());
   const auto last = static_cast<std::int64_t>(replay_.moments()) - 1;
   const std::int64_t wanted = static_cast<std::int64_t>(replay_.next()) - 1 + frames;
   const bool beyond = growing_ && wanted > last;
@@ -259,7 +268,7 @@ Result<void> Player::step(std::int64_t frames) {
     pace_.begin();
   }
   if (!beyond || !replay_.is_over()) {
-    replay_.show(static_cast<std::size_t>(std::clamp<std::int64_t>(wanted, 0, last)));
+    replay_.show(static_cast<std::size_t>(std::clamp<std::int64_t>(wanted, first, last)));
   }
   return {};
 }
@@ -272,12 +281,14 @@ Result<void> Player::seek(const SeekCommand& seek) {
   if (!is_played && replay_.tap().is_open()) {
     return not_now("another exploration cannot be shown while the readings are written");
   }
-  const auto& explorations = source_.recording.explorations;
-  if (!is_played && seek.exploration >= explorations.size()) {
-    return not_now(fmt::format("the recording has {} explorations", explorations.size()));
+  if (!is_played && seek.exploration >= kept_.count()) {
+    return not_now(fmt::format("the recording has {} explorations", kept_.count()));
   }
+  const bool is_kept =
+      is_played ? seek.frame >= replay_.first() : seek.exploration >= kept_.first();
+  if (!is_kept) return not_now("it is no longer kept (--page-memory)");
   std::shared_ptr<const Timeline> timeline =
-      is_played ? nullptr : std::make_shared<Timeline>(explorations[seek.exploration]);
+      is_played ? nullptr : std::make_shared<Timeline>(kept_[seek.exploration]);
   const std::size_t moments = is_played ? replay_.moments() : timeline->moments();
   if (seek.frame >= moments) return not_now(fmt::format("the exploration has {} frames", moments));
   if (!is_played) begin_exploration(seek.exploration, std::move(timeline));
@@ -312,9 +323,6 @@ Result<void> Player::begin_exploring() {
   if (!source_.explorer) return not_now("only a body can explore");
   const bool begins_plan = audience_.awaits_command() && plan_.has_next() && !plan_.demonstrates();
   if (!begins_plan) SOMATO_TRY_VOID(plan_.take_over());
-  if (kept_.count() >= kMostExplorations) {
-    return not_now(fmt::format("the maximum of {} explorations is reached", kMostExplorations));
-  }
   body_.stop();
   replay_.give_up();
   wants_exploring_ = true;
@@ -338,6 +346,10 @@ std::optional<Strips> Player::strips() const {
   return strips_of(*replay_.played());
 }
 
+Losses Player::losses() const {
+  return {failed_, kept_.unsaved(), hub_.left()};
+}
+
 void Player::publish_state() {
   shown_system_problem_ = replay_.reader().problem();
   hub_.publish(EventKind::kState, state_text());
@@ -346,6 +358,7 @@ void Player::publish_state() {
 std::string Player::state_text() const {
   ViewState state{source_, replay_.reader().picture(), names(), replay_.played()};
   state.labels = shown_labels();
+  state.first_frame = replay_.first();
   state.frame = replay_.next();
   state.playing = pace_.playing;
   state.speed = std::min(pace_.speed, 100.0);  // the fastest that a page can choose
@@ -357,6 +370,7 @@ std::string Player::state_text() const {
   state.taught = chosen_.taught_names();
   state.training = training_;
   state.demonstrated = plan_.rounds();
+  state.losses = losses();
   state.clients = hub_.viewers();
   state.awaits_start = audience_.awaits_command();
   state.problem = problem_;
@@ -372,7 +386,7 @@ void Player::explore() {
   if (std::exchange(is_permitted_, false)) source_.explorer->resume();
   const ExplorationSequence::Next next = plan_.next();
   exploring_ = next;
-  body_.start(*source_.explorer, next.thing, next.trial, next.placement);
+  body_.start(*source_.explorer, next.thing, next.trial, next.placement, memory_.exploration);
 }
 
 // The scene of a thing is the same each time.
@@ -388,6 +402,7 @@ void Player::grow(const BodyDescription& body, const Scene& scene) {
 
 // The body takes its next step meanwhile.
 void Player::show_step() {
+  make_room();
   const BodyStep step = *std::exchange(coming_, std::nullopt);
   growing_->append(step);
   body_.go_on();
@@ -397,17 +412,36 @@ void Player::show_step() {
   replay_.show(replay_.next());
 }
 
+// The exploration in progress is in memory twice: the body collects its frames as well. All of its
+// moments have been read.
+void Player::make_room() {
+  const std::size_t growing = growing_->bytes();
+  drop_before(kept_.first_within(memory_.page - std::min(memory_.page, 2 * growing)));
+  const std::size_t most = memory_.page > 0 ? memory_.exploration : kUnread;
+  if (growing > most) growing_->drop_half();
+}
+
+// A system keeps what it has learned from an exploration.
+void Player::drop_before(std::size_t exploration) {
+  if (exploration == kept_.first()) return;
+  chosen_.settle_before(exploration);
+  kept_.drop_before(exploration);
+}
+
 void Player::finish(std::future<Result<Exploration>> explored) {
-  const std::shared_ptr<ScenePlayer> scene = growing_ ? growing_->scene() : nullptr;
+  auto exploration = explored.get();
   catch_up();
-  replay_.end();
-  growing_.reset();
-  coming_.reset();
+  const std::shared_ptr<KeptScene> scene = growing_ ? growing_->scene() : nullptr;
+  const bool is_kept = !exploration || !growing_ || has_frames(*exploration);
+  if (!is_kept) end_unkept(std::move(exploration->labels));
+  end_growing();
   const bool demonstrates = plan_.demonstrates();
   const bool plays_on = demonstrates && pace_.playing;
   rest();
-  if (auto exploration = explored.get(); !exploration) {
+  if (!exploration) {
     fail_exploring(exploration.error());
+  } else if (!is_kept) {
+    publish_state();
   } else if (const auto kept = keep(std::move(*exploration), scene); !kept) {
     problem_ = sentence_of(kept.error());
     replay_.tap().finish(kept);
@@ -418,6 +452,28 @@ void Player::finish(std::future<Result<Exploration>> explored) {
                        !audience_.awaits_command();
   wants_exploring_ = wants_exploring_ || goes_on;
   publish_state();
+}
+
+void Player::end_growing() {
+  replay_.end();
+  growing_.reset();
+  coming_.reset();
+}
+
+// Its frames took more memory than is permitted: its last reading is that of the last moment.
+void Player::end_unkept(std::vector<Label> labels) {
+  const std::size_t index = kept_.count();
+  problem_ = fmt::format(
+      "Exploration {} took more memory than --page-memory permits: its frames are not kept.",
+      index + 1);
+  const auto label = chosen_.answered_label();
+  const auto given = label ? names().given(index, *label) : std::nullopt;
+  drop_before(index);
+  report(kept_.add_unkept());
+  growing_->end(std::move(labels));
+  replay_.say_end();
+  const auto name = replay_.tap().take_name();
+  if (label && (name || given)) teach(index, name ? *name : *given);
 }
 
 // The readings of the last moments are passed on before they are forgotten.
@@ -438,14 +494,16 @@ void Player::fail_exploring(const Error& error) {
   kept_.discard_next();
   if (source_.explorer->is_stopped()) await_start();
   if (error.kind == ErrorKind::kInterrupted) return;
+  ++failed_;
   problem_ = sentence_of(error);
   replay_.tap().say_failure(error);
   if (error.kind == ErrorKind::kUnavailable) plan_.give_up();
 }
 
-Result<void> Player::keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene) {
+Result<void> Player::keep(Exploration exploration, std::shared_ptr<KeptScene> scene) {
   SOMATO_TRY_VOID(kept_.add(std::move(exploration), std::move(scene)));
   report(kept_.save_last());  // before its end is shown
+  drop_before(kept_.first_within(memory_.page));
   begin_exploration(kept_.count() - 1);
   replay_.show(replay_.moments() - 1);
   teach_given(kept_.count() - 1);
@@ -454,21 +512,30 @@ Result<void> Player::keep(Exploration exploration, std::shared_ptr<ScenePlayer> 
 
 void Player::report(const Result<void>& saved) {
   if (saved) return;
-  problem_ = sentence_of(saved.error());
-  replay_.tap().finish(saved);
+  problem_ = sentence_of(saved.error()) + " The session continues without its file.";
+  replay_.tap().say_unsaved(saved.error());
 }
 
 // Names the exploration that is shown.
 Result<void> Player::name(const Label& given) {
   if (replay_.played() == nullptr) return not_now("there is no exploration to name");
   const PlayedExploration& played = *replay_.played();
-  SOMATO_TRY_VOID(kept_.name(played.index, given));
+  auto named = kept_.name(played.index, given);
+  if (!named && named.error().kind != ErrorKind::kSystem) return named;
+  report(named);
   if (played.has_ended && given.name == chosen_.answered_label()) teach_given(played.index);
   return {};
 }
 
 void Player::teach(std::size_t exploration, const std::string& name) {
-  replay_.tap().say_taught(chosen_.teach(exploration, name));
+  if (exploration >= kept_.first()) {
+    replay_.tap().say_taught(chosen_.teach(exploration, name));
+  } else {
+    replay_.tap().say_taught({exploration,
+                              name,
+                              {},
+                              "The frames of the exploration are no longer kept (--page-memory)."});
+  }
   publish_state();
 }
 
@@ -484,10 +551,12 @@ void Player::take_name() {
   const auto label = chosen_.answered_label();
   if (!name || !label || replay_.played() == nullptr) return;
   const std::size_t exploration = replay_.played()->index;
-  if (const auto named = kept_.name(exploration, {*label, *name}); !named) {
+  const auto named = kept_.name(exploration, {*label, *name});
+  if (!named && named.error().kind != ErrorKind::kSystem) {
     problem_ = sentence_of(named.error());
     return;
   }
+  report(named);
   teach(exploration, *name);
 }
 

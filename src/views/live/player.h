@@ -19,6 +19,7 @@
 #include "views/replay/pace.h"
 #include "views/replay/replay.h"
 #include "views/replay/task_queue.h"
+#include "views/session/losses.h"
 #include "views/session/view_command.h"
 #include "views/session/view_source.h"
 #include "views/teaching/kept_explorations.h"
@@ -63,6 +64,9 @@ class Player {
   void show_problem(std::string problem);
   void publish_state();
 
+  /// The losses of the session so far.
+  Losses losses() const;
+
   /// The state as it is now, in JSON.
   std::string state_text() const;
 
@@ -71,6 +75,12 @@ class Player {
   void on_viewers(std::size_t viewers);
 
  private:
+  // The most memory in bytes of the exploration in progress, and of all that is kept for a page.
+  struct Memory {
+    std::size_t exploration = 0;
+    std::size_t page = 0;
+  };
+
   void begin_seen();
   void turn();
   void guarded(const std::function<void()>& work);
@@ -100,11 +110,15 @@ class Player {
   void explore();
   void grow(const BodyDescription& body, const Scene& scene);
   void show_step();
+  void make_room();
+  void drop_before(std::size_t exploration);
   void finish(std::future<Result<Exploration>> explored);
+  void end_growing();
+  void end_unkept(std::vector<Label> labels);
   void catch_up();
   void await_start();
   void fail_exploring(const Error& error);
-  Result<void> keep(Exploration exploration, std::shared_ptr<ScenePlayer> scene);
+  Result<void> keep(Exploration exploration, std::shared_ptr<KeptScene> scene);
   Result<void> name(const Label& given);
   std::vector<Label> shown_labels() const;
   void report(const Result<void>& saved);
@@ -116,9 +130,11 @@ class Player {
   Replay replay_;
   ChosenSystem chosen_;
   KeptExplorations kept_;
+  Memory memory_;
   Audience audience_;
   std::string problem_;
   std::string shown_system_problem_;
+  std::size_t failed_ = 0;  // explorations
   bool training_ = false;
   bool closed_ = false;
 

@@ -27,11 +27,12 @@ std::size_t most_moments(const Exploration& exploration, const std::vector<std::
 }
 
 // The last is among them: what has been felt ends there.
-std::vector<std::size_t> evenly_chosen(std::size_t all, std::size_t most) {
+std::vector<std::size_t> evenly_chosen(std::size_t first, std::size_t end, std::size_t most) {
+  const std::size_t all = end - first;
   const std::size_t count = std::min(all, most);
   std::vector<std::size_t> chosen;
   chosen.reserve(count);
-  for (std::size_t i = 1; i <= count; ++i) chosen.push_back(all * i / count - 1);
+  for (std::size_t i = 1; i <= count; ++i) chosen.push_back(first + all * i / count - 1);
   return chosen;
 }
 
@@ -42,13 +43,16 @@ Strips strips_of(const PlayedExploration& played) {
   const std::vector<std::size_t> channels = shown_channels(played);
   Strips strips{played.index};
   if (played.has_ended) strips.frames = timeline.moments();
-  strips.frame = evenly_chosen(timeline.moments(), most_moments(*played.exploration, channels));
+  strips.frame = evenly_chosen(timeline.first(), timeline.moments(),
+                               most_moments(*played.exploration, channels));
   for (const std::size_t moment : strips.frame) strips.time.push_back(timeline.time(moment));
   for (const std::size_t i : channels) {
     const Channel& channel = played.exploration->channels[i];
     Strips::Channel& strip = strips.channels.emplace_back(Strips::Channel{channel.name, {}});
     for (const std::size_t moment : strips.frame) {
-      const auto values = shown_values(channel, timeline.rate(i), timeline.frames(i, moment));
+      const std::size_t come = timeline.frames(i, moment);
+      const std::size_t kept = come == 0 ? 0 : come - timeline.dropped(i);
+      const auto values = shown_values(channel, timeline.rate(i), kept);
       strip.values.emplace_back(values.begin(), values.end());
     }
   }

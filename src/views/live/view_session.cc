@@ -97,6 +97,7 @@ class ViewSession::Impl {
 
   live::EventHub& hub() { return hub_; }
   const Recording& recording() const { return player_.source().recording; }
+  Losses losses() const { return player_.losses(); }
   std::shared_ptr<const SystemModel> system() const {
     const ViewSystem* system = player_.system();
     return system == nullptr ? nullptr : system->trained;
@@ -135,7 +136,7 @@ class ViewSession::Impl {
     return run_task<live::InquiredSystem>([this]() -> Result<live::InquiredSystem> {
       const ViewSystem* system = player_.system();
       if (system != nullptr && system->trained) {
-        return live::InquiredSystem{system->trained, explored()};
+        return live::InquiredSystem{system->trained, explored(), player_.source().first};
       }
       return fail(ErrorKind::kUsage, "no trained system is selected");
     });
@@ -158,11 +159,14 @@ class ViewSession::Impl {
     if (!source.explorer && player_.names().empty()) {
       return {std::shared_ptr<const Recording>(), &source.recording};
     }
-    const std::size_t explorations = source.recording.explorations.size();
-    if (!explored_ || explored_->explorations.size() != explorations) {
-      explored_ = std::make_shared<const Recording>(player_.names().apply(source.recording));
-    }
-    return explored_;
+    const std::size_t end = source.first + source.recording.explorations.size();
+    std::shared_ptr<const Recording> explored = explored_.lock();
+    if (explored && explored_end_ == end) return explored;
+    explored =
+        std::make_shared<const Recording>(player_.names().apply(source.recording, source.first));
+    explored_ = explored;
+    explored_end_ = end;
+    return explored;
   }
 
   // The explorations before the view are included.
@@ -233,7 +237,8 @@ class ViewSession::Impl {
   live::Inquiries inquiries_{[this] { return hub_.is_closed(); }};
   // Only for the player's thread.
   bool is_training_ = false;
-  std::shared_ptr<const Recording> explored_;
+  std::weak_ptr<const Recording> explored_;    // while it is used: it is a copy
+  std::size_t explored_end_ = 0;               // the index after its last exploration
   std::shared_ptr<const Recording> prepared_;  // explored before the view
   std::thread thread_;
 };
@@ -259,6 +264,10 @@ const Recording& ViewSession::recording() const {
 
 std::shared_ptr<const SystemModel> ViewSession::system() const {
   return impl_->system();
+}
+
+Losses ViewSession::losses() const {
+  return impl_->losses();
 }
 
 Result<void> ViewSession::command(std::string_view json) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "somato/core/result.h"
+#include "views/session/losses.h"
 #include "views/session/view_source.h"
 
 namespace somato {
@@ -38,6 +39,9 @@ class ViewSession {
   /// The selected system, with the names that it was taught, or nullptr if it is not trained. After
   /// stop().
   std::shared_ptr<const SystemModel> system() const;
+
+  /// The losses of the session. After stop().
+  Losses losses() const;
 
   /// Does what a command in JSON says. From any thread. Errors (kUsage): no such command, or one
   /// that cannot be done now.

@@ -16,7 +16,7 @@ Json or_null(const std::string& text) {
 Json explorations_json(const ViewSource& source, const GivenNames& names) {
   Json explorations = Json::array();
   for (const Exploration& one : source.recording.explorations) {
-    const std::size_t index = explorations.size();
+    const std::size_t index = source.first + explorations.size();
     Json json{{"index", index}, {"labels", detail::labels_json(names.labels(index, one.labels))}};
     if (index < source.origins.size()) json["recording"] = source.origins[index];
     explorations.push_back(std::move(json));
@@ -106,8 +106,10 @@ Json state_json(const ViewState& state) {
             {"source", state.source.explorer ? "body" : "recording"},
             {"name", state.source.name},
             {"explorations", explorations_json(state.source, state.names)},
+            {"dropped", state.source.first},
             {"exploration", state.played != nullptr ? Json(state.played->index) : Json()},
             {"labels", detail::labels_json(state.labels)},
+            {"first_frame", state.first_frame},
             {"frame", state.frame}};
   add_length(state.played, json);
   json["playing"] = state.playing;
@@ -121,6 +123,9 @@ Json state_json(const ViewState& state) {
   json["training"] = state.training;
   json["demonstrated"] = state.demonstrated ? Json(*state.demonstrated) : Json();
   json["saved"] = saved_json(state.source.file);
+  json["losses"] = {{"failed", state.losses.failed},
+                    {"unsaved", state.losses.unsaved},
+                    {"viewers", state.losses.viewers}};
   json["clients"] = state.clients;
   json["awaits_start"] = state.awaits_start;
   json["problem"] = or_null(state.problem);

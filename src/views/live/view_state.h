@@ -8,6 +8,7 @@
 #include "recordings/explorations/given_names.h"
 #include "somato/bodies/placement.h"
 #include "views/replay/played_exploration.h"
+#include "views/session/losses.h"
 #include "views/session/reading_sink.h"
 #include "views/session/view_json.h"
 #include "views/session/view_source.h"
@@ -22,6 +23,7 @@ struct ViewState {
   const GivenNames& names;
   const PlayedExploration* played = nullptr;  ///< Or nothing.
   std::vector<Label> labels = {};             ///< The labels of what is played.
+  std::size_t first_frame = 0;                ///< The first that is kept.
   std::size_t frame = 0;
   bool playing = false;
   double speed = 1.0;
@@ -33,6 +35,7 @@ struct ViewState {
   std::vector<TaughtName> taught = {};
   bool training = false;
   std::optional<std::size_t> demonstrated = {};  ///< Rounds of a demonstration.
+  Losses losses = {};
   std::size_t clients = 0;
   bool awaits_start = false;  ///< Whether a real body moves only after a press of Start.
   std::string problem = {};

@@ -12,17 +12,18 @@ tl::unexpected<Error> stopped_exploring() {
 }  // namespace
 
 void BodyThread::start(Explorer& explorer, std::size_t thing, std::size_t trial,
-                       const std::optional<Placement>& placement) {
+                       const std::optional<Placement>& placement, std::size_t memory) {
   join();
   stopping_ = going_on_ = false;
-  std::packaged_task<Result<Exploration>()> explore([this, &explorer, thing, trial, placement] {
-    const ExploreOptions options{
-        {.should_continue = [this] { return !is_stopping(); }},
-        placement,
-        {[this](const BodyDescription& body, const Scene& scene) { return begin(body, scene); },
-         [this](const ExplorationStep& step) { return hand_over(step); }}};
-    return explorer.explore(thing, trial, options);
-  });
+  std::packaged_task<Result<Exploration>()> explore(
+      [this, &explorer, thing, trial, placement, memory] {
+        const ExploreOptions options{
+            {.should_continue = [this] { return !is_stopping(); }, .memory = memory},
+            placement,
+            {[this](const BodyDescription& body, const Scene& scene) { return begin(body, scene); },
+             [this](const ExplorationStep& step) { return hand_over(step); }}};
+        return explorer.explore(thing, trial, options);
+      });
   explored_ = explore.get_future();
   thread_ = std::thread([this, explore = std::move(explore)]() mutable {
     explore();

@@ -40,9 +40,10 @@ class BodyThread {
   ~BodyThread() { join(); }
 
   /// Begins an exploration, of an object placed at random without `placement`, which ends before
-  /// the next one begins. `explorer` must outlive it; no other thread may use it meanwhile.
+  /// the next one begins. `explorer` must outlive it; no other thread may use it meanwhile. The
+  /// exploration has no frames at its end if they take more than `memory` bytes.
   void start(Explorer& explorer, std::size_t thing, std::size_t trial,
-             const std::optional<Placement>& placement);
+             const std::optional<Placement>& placement, std::size_t memory);
 
   /// From start() until `on_end` is called.
   bool is_exploring() const { return thread_.joinable(); }

@@ -5,6 +5,7 @@
 
 #include "bodies/body/driving.h"
 #include "bodies/body/frame_log.h"
+#include "recordings/explorations/growing_channel.h"
 
 namespace somato::live {
 namespace {
@@ -61,8 +62,24 @@ void GrowingExploration::append_frames(const BodyState& state) {
     Channel& channel = exploration_.channels[i];
     if (frames_[i] == 0) channel.frames = Matrix<float>(0, taken.columns());
     append_readings(channel, taken);
+    if (channel.rate == 0.0) channel.times.resize(channel.frames.rows(), state.time);
     frames_[i] += taken.rows();
-    if (channel.rate == 0.0) channel.times.push_back(state.time);
+  }
+}
+
+std::size_t GrowingExploration::bytes() const {
+  std::size_t bytes = scene_->bytes();
+  for (const Channel& channel : exploration_.channels) bytes += bytes_of(channel);
+  return bytes;
+}
+
+void GrowingExploration::drop_half() {
+  const std::size_t dropped = (timeline_->moments() - timeline_->first()) / 2;
+  const std::vector<std::size_t> before = timeline_->dropped();
+  scene_->drop(dropped);
+  timeline_->drop_before(timeline_->first() + dropped);
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    drop_frames(exploration_.channels[i], timeline_->dropped(i) - before[i]);
   }
 }
 

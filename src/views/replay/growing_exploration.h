@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "views/replay/body_thread.h"
@@ -12,7 +13,8 @@
 namespace somato::live {
 
 /// The exploration of a body that still explores, as far as it has been shown: it is played like
-/// any other, but its end moves. Used by one thread.
+/// any other, but its end moves, and its beginning as well where it takes too much memory. Used by
+/// one thread.
 class GrowingExploration {
  public:
   /// It will be the exploration with that index.
@@ -22,6 +24,15 @@ class GrowingExploration {
   /// Takes a step. If its readings are recorded there is one moment more; that takes constant time
   /// on average.
   void append(BodyStep step);
+
+  /// The memory of the moments that are kept, in bytes.
+  std::size_t bytes() const;
+
+  /// Drops the older half of the moments, but not the last one.
+  void drop_half();
+
+  /// The exploration has ended, and has these labels. Its frames are only what is kept.
+  void end(std::vector<Label> labels) { exploration_.labels = std::move(labels); }
 
   /// Seconds from the last step to this one.
   double seconds_to(const BodyStep& step) const;

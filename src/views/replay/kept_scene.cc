@@ -14,4 +14,13 @@ std::vector<ScenePose> KeptScene::poses(const Exploration& exploration, std::siz
   return poses_[std::min(((frame + 1) * poses_.size() - 1) / frames, poses_.size() - 1)];
 }
 
+void KeptScene::drop(std::size_t moments) {
+  poses_.erase(poses_.begin(), poses_.begin() + static_cast<std::ptrdiff_t>(moments));
+}
+
+std::size_t KeptScene::bytes() const {
+  const std::size_t bodies = poses_.empty() ? 0 : poses_.front().size();
+  return poses_.size() * (sizeof(poses_.front()) + bodies * sizeof(ScenePose));
+}
+
 }  // namespace somato::live

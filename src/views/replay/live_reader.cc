@@ -15,6 +15,7 @@ void LiveReader::choose(const ViewSystem* system, const std::optional<RecordingL
   auto reading = SystemReading::build(system->trained);
   if (!reading) return keep(reading.error());
   reading_ = std::make_unique<SystemReading>(std::move(*reading));
+  reading_->limit_memory(most_memory_);
   start();
 }
 
@@ -27,10 +28,17 @@ void LiveReader::start() {
   if (reading_) reading_->start();
 }
 
-void LiveReader::follow(const Exploration& exploration, const std::vector<std::size_t>& frames) {
+void LiveReader::follow(const Exploration& exploration, const std::vector<std::size_t>& frames,
+                        const std::vector<std::size_t>& dropped) {
   if (!reading_ || !problem_.empty()) return;
   is_said_ = false;
-  if (auto followed = reading_->follow(exploration, frames); !followed) keep(followed.error());
+  if (auto followed = reading_->follow(exploration, frames, dropped); !followed)
+    keep(followed.error());
+}
+
+void LiveReader::give_up() {
+  latest_.reset();
+  problem_ = "The beginning of this exploration is no longer kept (--page-memory).";
 }
 
 const Reading* LiveReader::read(bool now) {

@@ -48,6 +48,10 @@ void ReadingTap::say_failure(const Error& error) const {
   if (is_open()) sink_.on_failure(error);
 }
 
+void ReadingTap::say_unsaved(const Error& error) const {
+  if (is_open() && sink_.on_unsaved) sink_.on_unsaved(error);
+}
+
 void ReadingTap::finish(const Result<void>& outcome) {
   if (!is_open()) return;
   std::exchange(sink_.on_done, nullptr)(outcome);

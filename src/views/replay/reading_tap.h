@@ -38,6 +38,9 @@ class ReadingTap {
   /// An exploration has failed; others may follow.
   void say_failure(const Error& error) const;
 
+  /// The file of the session cannot be written.
+  void say_unsaved(const Error& error) const;
+
   /// All has been said, or an error ends it.
   void finish(const Result<void>& outcome);
 

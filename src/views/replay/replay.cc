@@ -38,6 +38,11 @@ void Replay::end() {
   wanted_.reset();
 }
 
+void Replay::say_end() {
+  played_->has_ended = true;
+  tap_.say(*played_, followed_, reader_);
+}
+
 // A page redraws its scene for each new one.
 void Replay::publish_scene() const {
   std::string text =
@@ -48,7 +53,8 @@ void Replay::publish_scene() const {
 
 void Replay::choose(const ViewSystem* system, const std::optional<RecordingLayout>& layout) {
   reader_.choose(system, layout);
-  followed_ = 0;
+  followed_ = first() == 0 ? 0 : next_;
+  if (first() > 0) reader_.give_up();
   if (played_) show(next_ == 0 ? 0 : next_ - 1);
 }
 
@@ -60,7 +66,7 @@ void Replay::show(std::size_t moment) {
 }
 
 void Replay::follow(std::chrono::milliseconds patience) {
-  if (*wanted_ + 1 < followed_) {
+  if (*wanted_ + 1 < followed_ && first() == 0) {
     reader_.start();
     followed_ = 0;
   }
@@ -70,7 +76,7 @@ void Replay::follow(std::chrono::milliseconds patience) {
     if (time_worked() > until) return;
     ++followed_;
     for (std::size_t i = 0; i < come.size(); ++i) come[i] = frames(i, followed_);
-    reader_.follow(*played_->exploration, come);
+    reader_.follow(*played_->exploration, come, played_->timeline->dropped());
     tap_.say(*played_, followed_, reader_);
   }
   publish_moment(*std::exchange(wanted_, std::nullopt));
@@ -78,6 +84,12 @@ void Replay::follow(std::chrono::milliseconds patience) {
 
 std::size_t Replay::frames(std::size_t channel, std::size_t moments) const {
   return moments == 0 ? 0 : played_->timeline->frames(channel, moments - 1);
+}
+
+// The same, counted from the first one that is kept.
+std::size_t Replay::kept_frames(std::size_t channel, std::size_t moments) const {
+  const std::size_t come = frames(channel, moments);
+  return come == 0 ? 0 : come - played_->timeline->dropped(channel);
 }
 
 // The moment that is shown when so many moments have passed.
@@ -92,8 +104,8 @@ ShownMoment Replay::shown_after(std::size_t moments) const {
   }
   const auto& channels = played_->exploration->channels;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    shown.channels.emplace_back(channels[i].name,
-                                shown_values(channels[i], timeline.rate(i), frames(i, moments)));
+    shown.channels.emplace_back(
+        channels[i].name, shown_values(channels[i], timeline.rate(i), kept_frames(i, moments)));
   }
   return shown;
 }
@@ -104,7 +116,7 @@ void Replay::publish_moment(std::size_t moment) {
   if (played_->scene) {
     std::size_t most = 0;
     for (std::size_t i = 0; i < shown.channels.size(); ++i) {
-      most = std::max(most, frames(i, moment + 1));
+      most = std::max(most, kept_frames(i, moment + 1));
     }
     shown.poses = played_->scene->poses(*played_->exploration, most - 1);
   }
@@ -125,7 +137,8 @@ void Replay::show_between(const BodyStep& step) {
 }
 
 void Replay::publish(const ShownMoment& shown) {
-  const Reading* reading = reader_.read(shown.last || !pace_.playing);
+  const bool is_read = next_ >= followed_;
+  const Reading* reading = is_read ? reader_.read(shown.last || !pace_.playing) : nullptr;
   std::string text = frame_text(shown, reader_.model(), reading);
   if (shown.last) return hub_.publish_end(std::move(text));
   hub_.publish(EventKind::kFrame, std::move(text));

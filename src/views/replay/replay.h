@@ -32,8 +32,13 @@ class Replay {
   /// Shows nothing any more.
   void end();
 
+  /// The exploration that was played while it grew has ended with the last moment: the receiver of
+  /// the readings is informed.
+  void say_end();
+
   /// Shows a moment. The system's memory depends on every moment before, so that this may
-  /// take long: it ends early, and is_behind() holds until follow() has shown the moment.
+  /// take long: it ends early, and is_behind() holds until follow() has shown the moment. Once the
+  /// first moments are no longer kept, there is no reading of earlier moments.
   void show(std::size_t moment);
 
   bool is_behind() const { return wanted_.has_value(); }
@@ -48,6 +53,9 @@ class Replay {
   /// Shows a step of the body after the last moment, which is not recorded itself.
   void show_between(const BodyStep& step);
 
+  /// See LiveReader.
+  void limit_memory(std::size_t most) { reader_.limit_memory(most); }
+
   /// Chooses the system that reads, or none with nullptr, and shows the moment again.
   void choose(const ViewSystem* system, const std::optional<RecordingLayout>& layout);
 
@@ -59,6 +67,8 @@ class Replay {
   /// The exploration that is played; nullptr without one.
   const PlayedExploration* played() const { return played_ ? &*played_ : nullptr; }
 
+  /// The number of moments, and the first that is kept.
+  std::size_t first() const { return played_ ? played_->timeline->first() : 0; }
   std::size_t moments() const { return played_ ? played_->timeline->moments() : 0; }
 
   /// The moment to come.
@@ -71,6 +81,7 @@ class Replay {
  private:
   void publish_scene() const;
   std::size_t frames(std::size_t channel, std::size_t moments) const;
+  std::size_t kept_frames(std::size_t channel, std::size_t moments) const;
   ShownMoment shown_after(std::size_t moments) const;
   void publish_moment(std::size_t moment);
   void publish(const ShownMoment& shown);

@@ -29,6 +29,7 @@ double time_of(const Channel& channel, std::size_t frame, std::size_t moment) {
 Timeline::Timeline(const Exploration& exploration) {
   rates_.reserve(exploration.channels.size());
   for (const Channel& channel : exploration.channels) rates_.push_back(channel.frame_rate());
+  dropped_.resize(rates_.size());
   const Channel* main = longest(exploration);
   if (main == nullptr) return;
   const std::size_t most = main->frames.rows();
@@ -43,6 +44,19 @@ Timeline::Timeline(const Exploration& exploration) {
     }
     append(time_of(*main, end - 1, moment), come);
   }
+}
+
+void Timeline::drop_before(std::size_t first) {
+  if (first <= first_) return;
+  for (std::size_t i = 0; i < rates_.size(); ++i) {
+    const std::size_t before = frames(i, first - 1);
+    dropped_[i] = before > 0 && frames(i, first) == before ? before - 1 : before;
+  }
+  const auto moments = static_cast<std::ptrdiff_t>(first - first_);
+  times_.erase(times_.begin(), times_.begin() + moments);
+  frames_.erase(frames_.begin(),
+                frames_.begin() + moments * static_cast<std::ptrdiff_t>(rates_.size()));
+  first_ = first;
 }
 
 void Timeline::append(double time, std::span<const std::size_t> frames) {

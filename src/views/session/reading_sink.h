@@ -52,6 +52,9 @@ struct ReadingSink {
   /// A body's exploration has failed; the next one follows.
   std::function<void(const Error& error)> on_failure;
 
+  /// The file of the session cannot be written: explorations are no longer saved; may be empty.
+  std::function<void(const Error& error)> on_unsaved = {};
+
   /// Once, after which nothing is called any more; not if the session is stopped before.
   std::function<void(const Result<void>& outcome)> on_done;
 };

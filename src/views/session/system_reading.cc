@@ -61,12 +61,13 @@ void SystemReading::start() {
 }
 
 Result<void> SystemReading::follow(const Exploration& exploration,
-                                   const std::vector<std::size_t>& frames) {
+                                   const std::vector<std::size_t>& frames,
+                                   const std::vector<std::size_t>& dropped) {
   if (exploration_ != &exploration) {
     SOMATO_TRY_VOID(walk_.start(&exploration));
     exploration_ = &exploration;
   }
-  return walk_.follow(frames);
+  return walk_.follow(frames, dropped);
 }
 
 // The answer is the class of the labelled neuron that is most similar; the others follow by

@@ -60,8 +60,13 @@ class SystemReading {
   void start();
 
   /// Follows the exploration, which has to stay where it is, until the channels have given so many
-  /// frames each. Errors (kData) name channel or module.
-  Result<void> follow(const Exploration& exploration, const std::vector<std::size_t>& frames);
+  /// frames each, of which the first `dropped`, followed before, are no longer there. Errors
+  /// (kData) name channel or module.
+  Result<void> follow(const Exploration& exploration, const std::vector<std::size_t>& frames,
+                      const std::vector<std::size_t>& dropped = {});
+
+  /// See Walk.
+  void limit_memory(std::size_t most) { walk_.limit_memory(most); }
 
   /// The present reading; nothing before each channel gave a frame. Errors (kData): those of the
   /// modules, which may need more frames.

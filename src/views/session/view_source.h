@@ -47,6 +47,8 @@ struct PriorExplorations {
 struct ViewSource {
   std::string name;          ///< The file's name, or the body's.
   Recording recording = {};  ///< Valid; of a body what was explored before, if any.
+  /// The index of the first of these explorations: earlier ones of the body are no longer kept.
+  std::size_t first = 0;
   /// The name of the recording of each of these explorations, if there are several.
   std::vector<std::string> origins = {};
   std::unique_ptr<Explorer> explorer = {};  ///< With the body; or nullptr.
@@ -74,6 +76,9 @@ struct ViewSource {
 /// Without waiting for the next moment.
 inline constexpr double kFastest = 1e9;
 
+/// The memory of what a view keeps by default, in bytes: hours of a hand's explorations.
+inline constexpr std::size_t kPageMemory = std::size_t{256} << 20;
+
 /// The settings of a view.
 struct ViewSettings {
   bool wait_for_viewer = true;  ///< Begins to play with the first viewer; else at once.
@@ -82,6 +87,10 @@ struct ViewSettings {
   /// not be followed.
   double training_pause = 0.06;
   double result_pause = 1.5;  ///< Seconds for which a demonstration shows each result.
+  /// Whether a page may show earlier moments. Without, only what systems need is kept.
+  bool has_page = true;
+  /// The most memory of the explorations that a body made and that are kept, in bytes.
+  std::size_t memory = kPageMemory;
 };
 
 }  // namespace somato

@@ -9,8 +9,8 @@
 namespace somato::live {
 namespace {
 
-void learn(SystemModel& model, const Recording& recording, TaughtName& name) {
-  auto taught = somato::teach(model, recording, name.exploration, name.name);
+void learn(SystemModel& model, const Recording& recording, std::size_t first, TaughtName& name) {
+  auto taught = somato::teach(model, recording, name.exploration - first, name.name);
   name.problem = taught ? std::string() : sentence_of(taught.error());
   name.taught = taught ? std::move(*taught) : Taught{};
 }
@@ -18,7 +18,7 @@ void learn(SystemModel& model, const Recording& recording, TaughtName& name) {
 }  // namespace
 
 const TaughtName& Teacher::teach(const Recording& recording, std::size_t exploration,
-                                 const std::string& name) {
+                                 const std::string& name, std::size_t first) {
   const auto known = std::find_if(names_.begin(), names_.end(), [&](const TaughtName& one) {
     return one.exploration == exploration;
   });
@@ -28,12 +28,26 @@ const TaughtName& Teacher::teach(const Recording& recording, std::size_t explora
   given.name = name;
   SystemModel model = copy_of(is_new ? *model_ : *untaught_);
   if (is_new) {
-    learn(model, recording, given);
+    learn(model, recording, first, given);
   } else {
-    for (TaughtName& one : names_) learn(model, recording, one);
+    for (TaughtName& one : names_) learn(model, recording, first, one);
   }
   model_ = std::make_shared<const SystemModel>(std::move(model));
   return given;
+}
+
+void Teacher::settle_before(std::size_t kept, const Recording& recording, std::size_t first) {
+  const auto last = std::find_if(names_.rbegin(), names_.rend(),
+                                 [&](const TaughtName& one) { return one.exploration < kept; });
+  const auto settled = last.base();
+  if (settled == names_.end()) {
+    untaught_ = model_;
+  } else if (settled != names_.begin()) {
+    SystemModel model = copy_of(*untaught_);
+    for (auto one = names_.begin(); one != settled; ++one) learn(model, recording, first, *one);
+    untaught_ = std::make_shared<const SystemModel>(std::move(model));
+  }
+  names_.erase(names_.begin(), settled);
 }
 
 void Teacher::forget() {

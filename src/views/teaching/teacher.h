@@ -25,10 +25,15 @@ class Teacher {
   /// The names in the order in which they were learned, each of another exploration.
   const std::vector<TaughtName>& names() const { return names_; }
 
-  /// Teaches the name of an exploration of `recording`. Another name for the same exploration
-  /// replaces the earlier one, as if that had never been given.
+  /// Teaches the name of an exploration of `recording`, whose first one has the index `first`.
+  /// Another name for the same exploration replaces the earlier one, as if that had never been
+  /// given.
   const TaughtName& teach(const Recording& recording, std::size_t exploration,
-                          const std::string& name);
+                          const std::string& name, std::size_t first = 0);
+
+  /// The explorations before `kept` will no longer be in `recording`: their names, and those that
+  /// were learned before them, become a part of the model that is not replaced or forgotten.
+  void settle_before(std::size_t kept, const Recording& recording, std::size_t first);
 
   /// Returns to the model without these names.
   void forget();

@@ -13,7 +13,7 @@ const TaughtName& Teachers::teach(std::size_t system, std::size_t exploration,
                                   const std::string& name) {
   ViewSystem& taught = source_.systems[system];
   Teacher& teacher = teachers_.try_emplace(system, taught.trained).first->second;
-  const TaughtName& learned = teacher.teach(source_.recording, exploration, name);
+  const TaughtName& learned = teacher.teach(source_.recording, exploration, name, source_.first);
   taught.trained = teacher.model();
   return learned;
 }
@@ -28,6 +28,12 @@ bool Teachers::is_taught(std::size_t system, std::size_t exploration) const {
   const auto& taught = names(system);
   return std::any_of(taught.begin(), taught.end(),
                      [&](const TaughtName& one) { return one.exploration == exploration; });
+}
+
+void Teachers::settle_before(std::size_t kept) {
+  for (auto& [system, teacher] : teachers_) {
+    teacher.settle_before(kept, source_.recording, source_.first);
+  }
 }
 
 void Teachers::forget() {

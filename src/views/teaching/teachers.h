@@ -27,6 +27,9 @@ class Teachers {
   const std::vector<TaughtName>& names(std::size_t system) const;
   bool is_taught(std::size_t system, std::size_t exploration) const;
 
+  /// The explorations of the recording before `kept` will no longer be kept.
+  void settle_before(std::size_t kept);
+
   /// A system was trained again: what it had been taught is of no interest.
   void drop(std::size_t system) { teachers_.erase(system); }
 

@@ -78,6 +78,22 @@ TEST(FrameLog, AReadingThatDoesNotFitNamesItsSensor) {
   EXPECT_EQ(refused.error().kind, ErrorKind::kData);
 }
 
+// 40 bytes of values and times in a step: 24 of touch and sound with their times, 16 unclocked.
+TEST(FrameLog, DropsAllFramesThatTakeTooMuchMemory) {
+  for (const std::size_t steps : {2U, 3U, 50U}) {
+    FrameLog log(three_sensors(), 110);
+    for (std::size_t step = 0; step < steps; ++step) {
+      ASSERT_TRUE(log.append(state_of(static_cast<double>(step), {1, 2}, {1})));
+    }
+    const std::vector<Channel> channels = std::move(log).channels();
+    for (const Channel& channel : channels) {
+      EXPECT_EQ(channel.frames.rows(), steps == 2 ? 2U : 0U) << channel.name << " " << steps;
+    }
+    EXPECT_EQ(channels[0].frames.columns(), 2U);
+    EXPECT_TRUE(steps == 2 || channels[0].times.empty());
+  }
+}
+
 TEST(FrameLog, ReadingsOfAnotherBodyAreACallersMistake) {
   FrameLog log(three_sensors());
   EXPECT_THROW((void)log.append(BodyState{}), InvalidArgument);

@@ -59,6 +59,16 @@ class Live : public ProgramTest {
     output_of({"run", "study.toml", "--data", "train.mcap", "--out", "out"});
   }
 
+  void learn_by_probe() const {
+    write("study.toml",
+          "[study]\nname = 'small'\nlabel = 'material'\nseeds = 1\n"
+          "[module.depth]\ntype = 'channel'\nchannel = 'potentiometer'\n"
+          "[module.end]\ntype = 'last'\ninput = 'depth'\n"
+          "[module.map]\ntype = 'som'\ninput = 'end'\nrows = 3\ncolumns = 3\niterations = 100\n");
+    output_of({"explore", "--body", "hardness", "--explorations", "1", "-o", "train.mcap"});
+    output_of({"run", "study.toml", "--data", "train.mcap", "--out", "out"});
+  }
+
   std::vector<json> answers_of(const std::string& data) const {
     const std::string text = output_of({"apply", "out/system.somato", data, "--json"});
     return json::parse(text)["answers"].get<std::vector<json>>();
@@ -131,13 +141,7 @@ TEST_F(Live, ReadsWhatIsNewLikeApply) {
 
 // Only part of what a probe feels is recorded.
 TEST_F(Live, TheFinalReadingOfAProbeIsThatOfItsRecording) {
-  write("study.toml",
-        "[study]\nname = 'small'\nlabel = 'material'\nseeds = 1\n"
-        "[module.depth]\ntype = 'channel'\nchannel = 'potentiometer'\n"
-        "[module.end]\ntype = 'last'\ninput = 'depth'\n"
-        "[module.map]\ntype = 'som'\ninput = 'end'\nrows = 3\ncolumns = 3\niterations = 100\n");
-  output_of({"explore", "--body", "hardness", "--explorations", "1", "-o", "train.mcap"});
-  output_of({"run", "study.toml", "--data", "train.mcap", "--out", "out"});
+  learn_by_probe();
   const std::string body = output_of(live({"--body", "hardness", "--explorations", "1"}));
   const std::vector<json> of_body = finals_in(body);
   const std::vector<json> of_file = finals_in(output_of(live({"--recording", "train.mcap"})));
@@ -152,6 +156,41 @@ TEST_F(Live, TheFinalReadingOfAProbeIsThatOfItsRecording) {
 }
 
 // The signal comes at any time; usually during the first exploration.
+// A limit on the size of files is like a disk that is full.
+TEST_F(Live, GoesOnWhenTheDiskIsFull) {
+  learn_by_probe();
+  const Words two{"--body", "hardness", "--explorations", "2"};
+  const std::string whole = output_of(live(two));
+  ProgramWorld world;
+  world.largest_file = 3000;
+  Words words = live(two);
+  words.insert(words.end(), {"-o", "hand.mcap"});
+  const ProgramRun done = run(words, world);
+  EXPECT_EQ(done.exit_code, 1);
+  EXPECT_EQ(done.out, whole);
+  EXPECT_NE(done.err.find("the readings continue"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("could not be saved"), std::string::npos) << done.err;
+}
+
+TEST_F(Live, RecordsIntoSeveralFilesWithinItsMemory) {
+  learn_by_probe();
+  const Words two{"--body", "hardness", "--explorations", "2"};
+  const std::string whole = output_of(live(two));
+  Words words = live(two);
+  words.insert(words.end(), {"-o", "hand_{time}.mcap", "--every", "1kB", "--page-memory", "1MiB"});
+  EXPECT_EQ(output_of(words), whole);
+  std::size_t files = 0;
+  std::size_t explorations = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(path(""))) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("hand_")) continue;
+    ++files;
+    explorations += read_recording(entry.path().string()).value().explorations.size();
+  }
+  EXPECT_GT(files, 1U);
+  EXPECT_EQ(explorations, finals_in(whole).size());
+}
+
 TEST_F(Live, EndsBetweenTwoLinesWhenItIsInterrupted) {
   learn_by_hand();
   for (const int signal : {SIGINT, SIGTERM}) {
@@ -201,7 +240,13 @@ TEST_F(Live, RefusesFlagsWithoutEffect) {
                      {with({"--body", "lucs2", "--port", "8080"}), {"--port", "--view"}},
                      {with({"--body", "lucs2", "--address", "127.0.0.1"}), {"--address", "--view"}},
                      {with({"--body", "lucs2", "--allow-others"}), {"--allow-others", "--view"}},
-                     {with({"--body", "lucs2", "-o", "-"}), {"--output", "for the readings"}}});
+                     {with({"--body", "lucs2", "-o", "-"}), {"--output", "for the readings"}},
+                     {with({"--body", "lucs2", "--page-memory", "much"}), {"--page-memory", "MiB"}},
+                     {with({"--body", "lucs2", "--page-memory", "9kB"}), {"--page-memory", "1MiB"}},
+                     {with({"--body", "lucs2", "-o", "x.mcap", "--every", "1h"}), {"{time}"}},
+                     {with({"--body", "lucs2", "--every", "1h"}), {"{time}"}},
+                     {with({"--body", "lucs2", "-o", "{time}", "--every", "0h"}), {"30min"}},
+                     {with({"--body", "lucs2", "-o", "{time}", "--every", "1w"}), {"30min"}}});
   learn();
   const Words recorded{"--recording", kTrials};
   const auto replay = [&](const Words& more) {
@@ -218,7 +263,7 @@ TEST_F(Live, RefusesFlagsWithoutEffect) {
           {replay({"-o", "x.mcap"}), {"--output", "no effect on a recording"}},
           {replay({"--objects", "study.toml"}), {"--objects", "--view"}},
           {live({"--body", "lucs2", "--object", "boul"}), {"boul", "did you mean 'boule'"}},
-          {live({"--body", "lucs2", "--explorations", "10001"}), {"--explorations", "at most"}},
+          {live({"--body", "lucs2", "--explorations", "1000000"}), {"--explorations", "at most"}},
           {live({"--body", "probes"}), {"only one body"}},
           {live({"--body", "lucs4"}), {"lucs4", "did you mean"}}});
 }

@@ -288,5 +288,110 @@ TEST_F(GrowingRecordingTest, IsReadWithItsNamesByAllReaders) {
   EXPECT_EQ(read_recording(folder_.file("recovered")).value(), read);
 }
 
+// A recording whose files begin at moments of a clock that the test moves.
+class RollingRecordingTest : public GrowingRecordingTest {
+ protected:
+  Rollover rollover(double every) {
+    Rollover rollover;
+    rollover.every = every;
+    rollover.now = [this] { return now_; };
+    return rollover;
+  }
+
+  std::string file_at(const std::string& time) const {
+    return folder_.file("hand_1970-01-01T" + time + "Z.mcap");
+  }
+
+  std::size_t explorations_in(const std::string& path) const {
+    const auto read = read_recording(path);
+    return read ? read->explorations.size() : 0;
+  }
+
+  double now_ = 0.0;
+  std::string pattern_ = folder_.file("hand_{time}.mcap");
+};
+
+TEST_F(RollingRecordingTest, GoesOnInAnotherFileBeforeTheNextExploration) {
+  const auto file = GrowingRecording::begin(pattern_, rollover(60.0)).value();
+  ASSERT_TRUE(file->add(three_.explorations[0]));
+  now_ = 61.0;
+  EXPECT_EQ(folder_.count(), 1) << "no exploration has begun yet";
+  ASSERT_TRUE(file->name(0, {"object", "cup"}));
+  draft(*file);
+  EXPECT_EQ(explorations_in(file_at("00-00-00")), 1U);
+  EXPECT_EQ(folder_.count(), 2) << "a complete file, and the partial one of the next";
+  ASSERT_TRUE(file->name(1, {"object", "egg"}));
+  now_ = 200.0;
+  ASSERT_TRUE(file->add(three_.explorations[1]));
+  ASSERT_TRUE(file->name(1, {"object", "pear"})) << "the file ends with the next exploration";
+  const auto late = file->name(0, {"object", "mug"});
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().kind, ErrorKind::kUsage);
+  draft(*file);
+  ASSERT_TRUE(file->drop_draft());
+  ASSERT_TRUE(file->name(2, {"object", "kept for the next"}));
+  ASSERT_TRUE(file->add(three_.explorations[2]));
+  ASSERT_TRUE(file->finish());
+  EXPECT_EQ(file->count(), 3U);
+  EXPECT_EQ(file->files(), 3U);
+  EXPECT_EQ(folder_.count(), 3) << "no partial file remains";
+  EXPECT_EQ(read_recording(file_at("00-00-00"))->explorations[0].labels[0].value, "cup");
+  EXPECT_EQ(read_recording(file_at("00-01-01"))->explorations[0].labels[0].value, "pear");
+  EXPECT_EQ(read_recording(file_at("00-03-20"))->explorations[0].labels[0].value,
+            "kept for the next");
+}
+
+TEST_F(RollingRecordingTest, ReplacesNoFileOfTheSameSecond) {
+  const auto file = GrowingRecording::begin(pattern_, rollover(0.0)).value();
+  for (const Exploration& one : three_.explorations) ASSERT_TRUE(file->add(one));
+  ASSERT_TRUE(file->finish());
+  EXPECT_EQ(folder_.count(), 3);
+  EXPECT_EQ(explorations_in(file_at("00-00-00")), 1U);
+  EXPECT_EQ(explorations_in(folder_.file("hand_1970-01-01T00-00-00Z-3.mcap")), 1U);
+}
+
+TEST_F(RollingRecordingTest, WithoutAnExplorationNoFileIsLeft) {
+  const auto file = GrowingRecording::begin(pattern_, rollover(60.0)).value();
+  now_ = 600.0;
+  draft(*file);
+  ASSERT_TRUE(file->drop_draft());
+  ASSERT_TRUE(file->finish());
+  EXPECT_EQ(file->files(), 0U);
+  EXPECT_EQ(folder_.count(), 0);
+}
+
+// At each operation on files the disk may be full; another file is begun when it is due.
+TEST_F(RollingRecordingTest, BeginsAgainAfterAnError) {
+  std::size_t failed = 0;
+  bool is_over = false;
+  for (int operation = 0; !is_over; ++operation) {
+    now_ = 0.0;
+    FailingFileSystem files(operation, ENOSPC);
+    files.flushes = false;
+    const TemporaryFolder folder;
+    auto begun = GrowingRecording::begin(files, folder.file("hand_{time}.mcap"), rollover(60.0));
+    if (!begun) continue;
+    const auto file = std::move(*begun);
+    std::size_t added = 0;
+    for (const Exploration& one : three_.explorations) {
+      now_ += 61.0;
+      if (file->add(one)) {
+        ++added;
+        continue;
+      }
+      ++failed;
+      now_ += 61.0;
+      EXPECT_TRUE(file->begin_again().value_or(false)) << operation;
+      if (file->add(one)) ++added;
+    }
+    const bool was_hit = files.failed();
+    EXPECT_TRUE(file->finish() || !was_hit) << operation;
+    is_over = !files.failed();
+    EXPECT_EQ(added, 3U) << operation;
+    EXPECT_EQ(file->count(), added);
+  }
+  EXPECT_GT(failed, 10U);
+}
+
 }  // namespace
 }  // namespace somato

@@ -94,6 +94,49 @@ TEST(Walk, RunsWhatNeedsWholeExplorationsAgainEachTimeItSettles) {
   }
 }
 
+// Frames that were followed need not stay in memory.
+TEST(Walk, FollowsAnExplorationWhoseFirstFramesAreDropped) {
+  const Recording recording = hand_recording(1, 3);
+  const System system =
+      build(channels({"joints"}) + module("stm", "accumulate", "input = 'joints'"), recording);
+  const std::size_t stm = *system.find("stm");
+  Walk whole(system, {stm}, Outputs::kLatest);
+  ASSERT_TRUE(whole.start(&recording.explorations[0]));
+  ASSERT_TRUE(whole.run());
+  Exploration left = recording.explorations[0];
+  Walk walk(system, {stm}, Outputs::kLatest);
+  ASSERT_TRUE(walk.start(&left));
+  const Matrix<float> joints = left.channels[2].frames;
+  for (std::size_t frame = 0; frame < joints.rows(); ++frame) {
+    const auto row = joints.row(frame);
+    left.channels[2].frames = Matrix<float>(1, 3, std::vector<float>(row.begin(), row.end()));
+    ASSERT_TRUE(walk.follow(std::vector<std::size_t>{0, 0, frame + 1, 0, 0},
+                            std::vector<std::size_t>{0, 0, frame, 0, 0}));
+  }
+  ASSERT_TRUE(walk.settle());
+  EXPECT_EQ(values_of(walk.output(stm)), values_of(whole.output(stm)));
+}
+
+// A channel of one float a frame, of which a module needs all: 40 bytes are ten frames.
+TEST(Walk, AnErrorNamesTheModuleWhoseFramesTakeTooMuchMemory) {
+  const Recording recording = hand_recording(1, 3);
+  const System system =
+      build(channels({"sound"}) + module("level", "mean_removal", "input = 'sound'"), recording);
+  Walk walk(system, {*system.find("level")}, Outputs::kLatest);
+  walk.limit_memory(40);
+  for (int again = 0; again < 2; ++again) {
+    ASSERT_TRUE(walk.start(&recording.explorations[0]));
+    for (std::size_t frames = 1; frames <= 10; ++frames) {
+      ASSERT_TRUE(walk.follow(std::vector<std::size_t>{0, 0, 0, 0, frames}));
+      ASSERT_TRUE(walk.settle());
+    }
+    const auto followed = walk.follow(std::vector<std::size_t>{0, 0, 0, 0, 11});
+    ASSERT_FALSE(followed);
+    EXPECT_EQ(followed.error().where, "sound");
+    EXPECT_NE(followed.error().what.find("40 B"), std::string::npos) << followed.error().what;
+  }
+}
+
 TEST(Walk, HoldsValuesThatAreNotValidAsEvaluatingDoes) {
   Recording recording = hand_recording(1, 7);
   Channel& height = recording.explorations[0].channels[0];

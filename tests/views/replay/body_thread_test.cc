@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <limits>
 #include <optional>
 
 #include "views/replay/fake_explorer.h"
 
 namespace somato::live {
 namespace {
+
+constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
 
 class BodyThreadTest : public ::testing::Test {
  protected:
@@ -35,7 +38,7 @@ class BodyThreadTest : public ::testing::Test {
 };
 
 TEST_F(BodyThreadTest, WaitsAfterEachStepUntilItMayGoOn) {
-  body_.start(explorer_, 1, 0, {});
+  body_.start(explorer_, 1, 0, {}, kNoLimit);
   for (std::size_t step = 1; step <= 10; ++step) {
     ASSERT_TRUE(wait_until([&] { return steps_.size() == step; }));
     const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(5);
@@ -53,7 +56,7 @@ TEST_F(BodyThreadTest, WaitsAfterEachStepUntilItMayGoOn) {
 }
 
 TEST_F(BodyThreadTest, EndsSoonWhenItIsStopped) {
-  body_.start(explorer_, 0, 0, {});
+  body_.start(explorer_, 0, 0, {}, kNoLimit);
   ASSERT_TRUE(wait_until([&] { return steps_.size() == 1; }));
   body_.stop();
   ASSERT_TRUE(wait_until([&] { return explored_.has_value(); }));
@@ -61,12 +64,12 @@ TEST_F(BodyThreadTest, EndsSoonWhenItIsStopped) {
   EXPECT_EQ(steps_.size(), 1U);
   // The next exploration is not stopped.
   explored_.reset();
-  body_.start(explorer_, 0, 0, {});
+  body_.start(explorer_, 0, 0, {}, kNoLimit);
   EXPECT_TRUE(wait_until([&] { return steps_.size() == 2; }));
 }
 
 TEST_F(BodyThreadTest, LeavesOutWhatComesAfterItWasStopped) {
-  body_.start(explorer_, 0, 0, {});
+  body_.start(explorer_, 0, 0, {}, kNoLimit);
   body_.stop();
   ASSERT_TRUE(wait_until([&] { return explored_.has_value(); }));
   EXPECT_TRUE(bodies_.empty());
@@ -74,7 +77,7 @@ TEST_F(BodyThreadTest, LeavesOutWhatComesAfterItWasStopped) {
 }
 
 TEST_F(BodyThreadTest, EndsWithTheQueue) {
-  body_.start(explorer_, 0, 0, {});
+  body_.start(explorer_, 0, 0, {}, kNoLimit);
   ASSERT_TRUE(wait_until([&] { return steps_.size() == 1; }));
   queue_.close();
   body_.join();

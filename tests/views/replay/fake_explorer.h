@@ -29,7 +29,7 @@ class FakeExplorer : public SimulatedExplorer {
     if (auto begun = options.observer.on_begin(description(), scene); !begun) {
       return fail(std::move(begun.error()));
     }
-    FrameLog log(description());
+    FrameLog log(description(), options.limits.memory);
     Random random(1000 * thing + trial);
     BodyState state;
     for (std::size_t step = 0; step < steps_; ++step) {

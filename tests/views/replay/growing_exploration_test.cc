@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "recordings/explorations/recording_json.h"
@@ -86,6 +87,38 @@ TEST_F(Growing, KeepsWhatWasSeenAtItsMoments) {
     growing_.append(step);
   }
   EXPECT_EQ(growing_.scene()->poses(so_far(), 1).at(0).position[0], 2.0);
+}
+
+// Memory stays below a limit however long a body explores, and what is kept is right.
+TEST_F(Growing, DropsTheOlderHalfOfItsMoments) {
+  constexpr std::size_t kMost = 20000;
+  std::size_t most = 0;
+  for (std::size_t step = 0; step < 10000; ++step) {
+    const auto x = static_cast<float>(step);
+    BodyStep taken = recorded(0.5 * x, {Matrix<float>(1, 1, x), Matrix<float>(1, 2, x), {}});
+    taken.poses.resize(1);
+    taken.poses[0].position[0] = x;
+    growing_.append(taken);
+    if (growing_.bytes() > kMost) growing_.drop_half();
+    most = std::max(most, growing_.bytes());
+  }
+  EXPECT_LE(most, kMost);
+  EXPECT_GE(growing_.bytes(), kMost / 2 - 100);
+  EXPECT_EQ(timeline().moments(), 10000U);
+  const std::size_t first = timeline().first();
+  EXPECT_GT(first, 9000U);
+  for (const std::size_t moment : {first, std::size_t{9999}}) {
+    EXPECT_EQ(timeline().time(moment), 0.5 * static_cast<double>(moment));
+    const std::size_t row = timeline().frames(1, moment) - timeline().dropped(1) - 1;
+    EXPECT_EQ(so_far().channels[1].frames(row, 1), static_cast<float>(moment));
+    EXPECT_EQ(growing_.scene()->poses(so_far(), row).at(0).position[0],
+              static_cast<double>(moment));
+  }
+  const std::size_t before = growing_.bytes();
+  while (timeline().moments() - timeline().first() > 1) growing_.drop_half();
+  growing_.drop_half();
+  EXPECT_EQ(timeline().first(), 9999U) << "the last moment is kept";
+  EXPECT_LT(growing_.bytes(), before);
 }
 
 }  // namespace

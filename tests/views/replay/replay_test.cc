@@ -73,5 +73,18 @@ TEST_F(ReplayOfABody, GoesBackAndForthInWhatHasComeSoFar) {
   EXPECT_EQ(shown(), (nlohmann::json{2, 3.0, 3.0}));
 }
 
+TEST_F(ReplayOfABody, ShowsWhatIsKept) {
+  for (const double x : {1.0, 2.0, 3.0, 4.0}) move(x, Readings::kRecorded);
+  growing_->drop_half();
+  EXPECT_EQ(replay_.first(), 2U);
+  EXPECT_EQ(replay_.moments(), 4U);
+  replay_.show(2);
+  EXPECT_EQ(shown(), (nlohmann::json{2, 3.0, 3.0}));
+  replay_.show(3);
+  EXPECT_EQ(shown(), (nlohmann::json{3, 4.0, 4.0}));
+  move(5.0, Readings::kRecorded);
+  EXPECT_EQ(shown(), (nlohmann::json{4, 5.0, 5.0}));
+}
+
 }  // namespace
 }  // namespace somato::live

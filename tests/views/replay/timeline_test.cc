@@ -22,6 +22,25 @@ TEST(Timeline, HasAMomentAFrame) {
   EXPECT_EQ(timeline.frames(0, 1), 2U);
 }
 
+// Two frames at each moment of the first channel, and one in all of the second.
+TEST(Timeline, DropsItsFirstMoments) {
+  Timeline timeline(std::vector<double>{0.0, 0.0});
+  for (std::size_t moment = 0; moment < 6; ++moment) {
+    timeline.append(0.5 * static_cast<double>(moment), std::vector<std::size_t>{2 * moment + 2, 1});
+  }
+  timeline.drop_before(4);
+  EXPECT_EQ(timeline.first(), 4U);
+  EXPECT_EQ(timeline.moments(), 6U);
+  EXPECT_EQ(timeline.time(4), 2.0);
+  EXPECT_EQ(timeline.frames(0, 5), 12U);
+  EXPECT_EQ(timeline.dropped(), (std::vector<std::size_t>{8, 0})) << "the only frame is needed";
+  timeline.drop_before(4);
+  timeline.append(3.0, std::vector<std::size_t>{14, 2});
+  timeline.drop_before(6);
+  EXPECT_EQ(timeline.moments(), 7U);
+  EXPECT_EQ(timeline.dropped(), (std::vector<std::size_t>{12, 1}));
+}
+
 TEST(Timeline, HasTenMomentsPerSecondWithoutTimes) {
   const Timeline timeline(Exploration{{}, {}, {channel(5)}});
   EXPECT_DOUBLE_EQ(timeline.time(4), 0.4);

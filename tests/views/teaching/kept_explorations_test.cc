@@ -4,11 +4,13 @@
 
 #include <cerrno>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/support/failing_file_system.h"
 #include "base/support/temporary_folder.h"
+#include "recordings/explorations/growing_channel.h"
 #include "somato/recording/recording_file.h"
 #include "views/live/viewing.h"
 
@@ -20,11 +22,14 @@ class KeptExplorationsTest : public ::testing::Test {
  protected:
   TemporaryFolder folder_;
   std::string path_ = folder_.file("session.mcap");
-  Recording recording_ = testing::hand_source(2).recording;
-  Exploration second_ = recording_.explorations.back();
+  ViewSource source_ = testing::hand_source(2);
+  Exploration second_ = source_.recording.explorations.back();
   std::unique_ptr<GrowingRecording> file_ = GrowingRecording::begin(path_).value();
 
-  void SetUp() override { recording_.explorations.pop_back(); }
+  void SetUp() override {
+    source_.recording.explorations.pop_back();
+    source_.file = file_.get();
+  }
 
   std::vector<Exploration> saved() {
     EXPECT_TRUE(file_->finish());
@@ -33,7 +38,7 @@ class KeptExplorationsTest : public ::testing::Test {
 };
 
 TEST_F(KeptExplorationsTest, SavesWhatIsAddedWithTheGivenLabels) {
-  KeptExplorations kept(recording_, file_.get());
+  KeptExplorations kept(source_);
   ASSERT_TRUE(kept.name(1, {"object", "cup"})) << "while it takes place";
   ASSERT_TRUE(kept.add(second_, nullptr));
   ASSERT_TRUE(kept.save_last());
@@ -51,7 +56,7 @@ TEST_F(KeptExplorationsTest, SavesWhatIsAddedWithTheGivenLabels) {
 }
 
 TEST_F(KeptExplorationsTest, RefusesOneThatIsUnlikeTheOthers) {
-  KeptExplorations kept(recording_, file_.get());
+  KeptExplorations kept(source_);
   ASSERT_TRUE(kept.name(1, {"object", "cup"}));
   Exploration other = second_;
   other.channels.pop_back();
@@ -67,16 +72,75 @@ TEST_F(KeptExplorationsTest, RefusesOneThatIsUnlikeTheOthers) {
 TEST_F(KeptExplorationsTest, GoesOnThoughTheDiskIsFull) {
   testing::FailingFileSystem files(12, ENOSPC);
   const auto full = GrowingRecording::begin(files, folder_.file("full.mcap")).value();
-  KeptExplorations kept(recording_, full.get());
+  source_.file = full.get();
+  KeptExplorations kept(source_);
   ASSERT_TRUE(kept.add(second_, nullptr));
   while (kept.save_last()) ASSERT_TRUE(kept.add(second_, nullptr));
   EXPECT_TRUE(files.failed());
-  EXPECT_FALSE(kept.name(kept.count() - 1, {"object", "cup"}));
-  EXPECT_FALSE(kept.name(1, {"object", "cup"})) << "nothing can be written";
+  EXPECT_EQ(kept.unsaved(), 1U);
+  ASSERT_TRUE(kept.add(second_, nullptr));
+  EXPECT_TRUE(kept.save_last()) << "the error is reported once";
+  EXPECT_EQ(kept.unsaved(), 2U);
+  EXPECT_TRUE(kept.name(kept.count() - 1, {"object", "cup"}));
+  EXPECT_EQ(kept.names().given(kept.count() - 1, "object"), "cup");
+}
+
+TEST_F(KeptExplorationsTest, TheOldestMakeRoom) {
+  source_.file = nullptr;
+  KeptExplorations kept(source_);
+  std::size_t bytes = 0;
+  for (const Channel& channel : second_.channels) bytes += bytes_of(channel);
+  for (std::size_t i = 1; i < 10; ++i) {
+    ASSERT_TRUE(kept.name(i, {i == 2 ? "size" : "object", "cup " + std::to_string(i)}));
+    ASSERT_TRUE(kept.add(second_, nullptr));
+    const std::size_t first = kept.first_within(3 * bytes);
+    EXPECT_EQ(first, i < 4 ? 0U : i - 2) << "that of the beginning takes no room";
+    kept.drop_before(first);
+    EXPECT_EQ(kept.count(), i + 1);
+    EXPECT_EQ(kept.first(), first);
+  }
+  EXPECT_EQ(kept.first_within(0), 9U) << "the last one is kept in any case";
+  EXPECT_EQ(kept[8].channels, second_.channels);
+  EXPECT_EQ(kept.names().given(8, "object"), "cup 8");
+  EXPECT_EQ(kept.names().given(2, "size"), std::nullopt);
+  const auto labels = kept.names().labels(8, second_.labels);
+  EXPECT_EQ(labels.back(), (Label{"size", "unknown"})) << "explorations have the same labels";
+}
+
+TEST_F(KeptExplorationsTest, OneThatIsNotKeptIsInTheFile) {
+  KeptExplorations kept(source_);
+  BodyDescription body;
+  for (const Channel& channel : second_.channels) {
+    body.sensors.push_back(description_of(channel));
+    body.sensors.back().times_known = true;
+  }
+  kept.begin_next(body, second_.labels);
+  for (std::size_t frame = 0; frame < 3; ++frame) {
+    BodyState state;
+    state.time = static_cast<double>(frame);
+    for (const Channel& channel : second_.channels) {
+      const auto row = channel.frames.row(0);
+      state.readings.emplace_back(1, row.size(), std::vector<float>(row.begin(), row.end()));
+    }
+    ASSERT_TRUE(kept.append_to_next(state));
+  }
+  kept.drop_before(kept.count());
+  ASSERT_TRUE(kept.add_unkept());
+  EXPECT_EQ(kept.count(), 2U);
+  EXPECT_EQ(kept.first(), 2U);
+  ASSERT_TRUE(kept.add(second_, nullptr));
+  ASSERT_TRUE(kept.save_last());
+  ASSERT_TRUE(kept.name(2, {"object", "bowl"}));
+  const auto saved = this->saved();
+  ASSERT_EQ(saved.size(), 2U);
+  EXPECT_EQ(saved[0].labels, second_.labels);
+  EXPECT_EQ(saved[0].channels[0].frames.rows(), 3U);
+  EXPECT_EQ(saved[1].labels[0].value, "bowl");
 }
 
 TEST_F(KeptExplorationsTest, SavesNothingWithoutAFile) {
-  KeptExplorations kept(recording_, nullptr);
+  source_.file = nullptr;
+  KeptExplorations kept(source_);
   kept.begin_next({}, {});
   EXPECT_TRUE(kept.append_to_next({}));
   ASSERT_TRUE(kept.add(second_, nullptr));

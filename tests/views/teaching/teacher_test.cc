@@ -64,6 +64,30 @@ TEST(Teacher, CorrectsANameAsIfItHadNotBeenGiven) {
   EXPECT_EQ(corrected.names()[0].name, "cup");
 }
 
+// The names of explorations that are no longer kept remain learned, and are replaced no more.
+TEST(Teacher, SettlesNamesOfExplorationsThatAreDropped) {
+  const Recording others = testing::hand_recording(6, 9);
+  Teacher right(model());
+  for (const auto& [exploration, name] :
+       {std::pair(1, "cup"), std::pair(3, "mug"), std::pair(4, "jug")}) {
+    right.teach(others, static_cast<std::size_t>(exploration), name);
+  }
+  Teacher teacher(model());
+  teacher.teach(others, 1, "cup");
+  teacher.teach(others, 3, "typo");
+  teacher.settle_before(2, others, 0);
+  ASSERT_EQ(teacher.names().size(), 1U);
+  Recording kept = others;
+  kept.explorations.erase(kept.explorations.begin(), kept.explorations.begin() + 2);
+  teacher.teach(kept, 3, "mug", 2);
+  teacher.teach(kept, 4, "jug", 2);
+  EXPECT_EQ(bytes_of_saved(*teacher.model()), bytes_of_saved(*right.model()));
+  teacher.settle_before(6, kept, 2);
+  EXPECT_TRUE(teacher.names().empty());
+  teacher.forget();
+  EXPECT_EQ(bytes_of_saved(*teacher.model()), bytes_of_saved(*right.model()));
+}
+
 TEST(Teacher, KeepsANameThatCannotBeLearnedWithItsReason) {
   const Recording others = testing::hand_recording(4, 9);
   Teacher teacher(model());

@@ -73,8 +73,10 @@ export interface State {
   source: "recording" | "body";
   /** The name of the file or the body. */
   name: string;
-  /** Those of the recording, or those that the body has completed. */
+  /** Those of the recording, or those that the body has completed, as far as they are kept. */
   explorations: ExplorationLabels[];
+  /** The number of earlier explorations that are no longer kept. */
+  dropped: number;
   /** Index of the current exploration; while a body explores, the index that it will have. */
   exploration: number | null;
   /**
@@ -82,6 +84,8 @@ export interface State {
    * only what is known already.
    */
   labels: Labels;
+  /** Index of the first frame of the current exploration that is kept. */
+  first_frame: number;
   /** Index of the next frame. */
   frame: number;
   /** The number of frames of this exploration; null while a body explores it. */
@@ -127,6 +131,7 @@ export interface State {
   demonstrated: number | null;
   /** The file of this session; null if its explorations are not saved. */
   saved: SavedFile | null;
+  losses: Losses;
   /** Number of connected viewers. */
   clients: number;
   /**
@@ -143,6 +148,16 @@ export interface SavedFile {
   file: string;
   /** The number of explorations that are saved. */
   explorations: number;
+}
+
+/** The losses that the session has survived so far. */
+export interface Losses {
+  /** Explorations that failed. */
+  failed: number;
+  /** Explorations that could not be saved. */
+  unsaved: number;
+  /** Viewers whose connection has ended. */
+  viewers: number;
 }
 
 /** An exploration of the recording or the body. */

@@ -45,6 +45,18 @@ it("shows what is saved on the disk", async () => {
   await soon(() => saved.textContent()).toBe("4 explorations saved in hand.mcap");
 });
 
+it("shows what is no longer kept", async () => {
+  await view.open();
+  const kept = view.page.locator(".session-kept");
+  expect(await kept.textContent()).toBe("");
+  view.server.change({ dropped: 12 });
+  await soon(() => kept.textContent()).toBe("Explorations 1 to 12 are no longer kept");
+  view.server.change({ first_frame: 30 });
+  await soon(() => kept.textContent()).toBe("Frames 1 to 30 of this exploration are no longer kept");
+  view.server.change({ dropped: 0, first_frame: 0, losses: { failed: 2, unsaved: 1, viewers: 0 } });
+  await soon(() => kept.textContent()).toBe("2 explorations failed, 1 could not be saved");
+});
+
 it("invites after a round of a demonstration, until it is closed", async () => {
   await view.open({ ...bodyState(), demonstrated: 0 });
   const invitation = view.page.getByRole("complementary", { name: "Invitation" });

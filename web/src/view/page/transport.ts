@@ -140,6 +140,7 @@ export class Transport {
   private showLength(frames: number | null): void {
     if (frames === null) this.farthest = Math.max(this.farthest, this.model.frame.value?.frame ?? 0);
     const last = frames === null ? this.farthest : frames - 1;
+    this.scrub.min = String(this.model.shownState.value?.first_frame ?? 0);
     this.scrub.max = String(Math.max(0, last));
     this.scrub.disabled = last <= 0;
   }

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "somato/recording/recording.h"
+
+namespace somato {
+
+/// Adds a frame to a channel whose frames come one after the other; before the first frame it may
+/// have another number of columns. `time` is empty where times are not known, `valid` if all values
+/// are valid. Throws InvalidArgument if a frame has another number of elements than those before.
+void add_frame(Channel& channel, std::span<const float> values, std::optional<double> time,
+               std::span<const std::uint8_t> valid = {});
+
+/// The channel of that description, of `elements` elements, with the frames of `collected`: their
+/// times only if the description states that they are known.
+Channel described(Channel collected, const ChannelDescription& description, std::size_t elements);
+
+/// Drops the oldest `frames` of a channel.
+void drop_frames(Channel& channel, std::size_t frames);
+
+/// The memory of the frames of a channel, with their times and marks, in bytes.
+std::size_t bytes_of(const Channel& channel);
+
+}  // namespace somato
