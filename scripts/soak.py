@@ -84,7 +84,9 @@ def watch(process, frames, frames_a_line):
     points = []
     lines = 0
     for line in process.stdout:
-        if b'"final":true' in line or line == b"end\n":
+        if line == b"end\n":
+            break  # the program waits until it was measured
+        if b'"final":true' in line:
             continue
         lines += 1
         read = lines * frames_a_line

@@ -431,7 +431,9 @@ void Player::drop_before(std::size_t exploration) {
 void Player::finish(std::future<Result<Exploration>> explored) {
   auto exploration = explored.get();
   catch_up();
-  const std::shared_ptr<KeptScene> scene = growing_ ? growing_->scene() : nullptr;
+  // One of which the beginning was dropped is not that of the exploration.
+  const bool is_whole = growing_ && growing_->played().timeline->first() == 0;
+  const std::shared_ptr<KeptScene> scene = is_whole ? growing_->scene() : nullptr;
   const bool is_kept = !exploration || !growing_ || has_frames(*exploration);
   if (!is_kept) end_unkept(std::move(exploration->labels));
   end_growing();
