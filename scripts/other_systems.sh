@@ -1,0 +1,135 @@
+#!/usr/bin/env bash
+# Runs ./dev run and ./dev test of the committed tree on fresh Debian systems, each in a folder of its own:
+#   other_systems.sh [--cache FOLDER] [--only-run] [RELEASES [ARCHITECTURE]]
+#   other_systems.sh 13         # releases are separated by commas; default: 12,13
+#   other_systems.sh 12,13 arm64
+# Requires root, debootstrap, about 10 GB and, on two cores, more than half an hour a system. Another
+# architecture than the machine's also requires qemu-user-static. Prints the seconds and the tests that
+# passed, and the names of those that failed; the logs stay in build/other_systems. --only-run leaves out
+# ./dev test; --cache keeps the results of compilers in FOLDER for the next run, so that the seconds say
+# nothing about a fresh machine.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+declare -rA codenames=([12]=bookworm [13]=trixie)
+readonly logs=$PWD/build/other_systems
+
+complain() {
+  echo "other_systems: $*" >&2
+}
+
+cache='' only_run=''
+while [[ ${1:-} == --* ]]; do
+  case $1 in
+    --cache)
+      mkdir -p "${2:?--cache requires a folder}"
+      cache=$(realpath "$2")
+      shift 2
+      ;;
+    --only-run) only_run=yes && shift ;;
+    *) complain "unknown option '$1'; there are --cache FOLDER and --only-run" && exit 2 ;;
+  esac
+done
+IFS=, read -ra releases <<<"${1:-12,13}"
+readonly architecture=${2:-$(dpkg --print-architecture)}
+
+for release in "${releases[@]}"; do
+  if [[ ! -v codenames[$release] ]]; then
+    complain "unknown release '$release' of Debian; there are: ${!codenames[*]}"
+    exit 2
+  fi
+done
+if [[ $(id -u) != 0 ]]; then
+  complain "root is required, to mount /proc and /dev in each system; run it with sudo"
+  exit 1
+fi
+if ! command -v debootstrap >/dev/null; then
+  complain "debootstrap is missing; install it with: apt-get install debootstrap"
+  exit 1
+fi
+
+work=$(mktemp -d /var/tmp/somato-systems.XXXXXX)
+trap 'rm -rf --one-file-system "$work"' EXIT
+mkdir -p "$logs"
+
+# inside ROOT COMMAND...: runs a command in a system, with /proc and /dev, in name spaces that end with it: no mount
+# and no process of it remains.
+inside() {
+  # shellcheck disable=SC2016
+  unshare --mount --pid --fork --kill-child bash -ec '
+    root=$1 cache=$2
+    shift 2
+    mount -t proc proc "$root/proc"
+    mount --rbind /dev "$root/dev"
+    mount -t tmpfs tmpfs "$root/dev/shm"
+    if [[ -n $cache ]]; then
+      mkdir -p "$root/root/.cache/ccache"
+      mount --bind "$cache" "$root/root/.cache/ccache"
+    fi
+    exec chroot "$root" env -u TMPDIR -u CCACHE_DIR -u XDG_CACHE_HOME HOME=/root LANG=C.UTF-8 \
+      PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "$@"
+  ' inside "$1" "$cache" "${@:2}" </dev/null
+}
+
+# The system reaches the network as this machine does: name servers, certificates, settings of apt and pip.
+copy_settings() {
+  local root=$1 file
+  cp --dereference /etc/resolv.conf "$root/etc/" &&
+    apt-config dump | grep '^Acquire::' >"$root/etc/apt/apt.conf.d/90machine" &&
+    for file in /usr/local/share/ca-certificates /etc/pip.conf; do
+      [[ ! -e $file ]] || cp -rT "$file" "$root$file" || return 1
+    done &&
+    inside "$root" update-ca-certificates
+}
+
+make_system() {
+  local codename=$1 root=$2
+  debootstrap --variant=minbase --arch="$architecture" --include=ca-certificates,git "$codename" "$root" &&
+    copy_settings "$root" &&
+    git clone --quiet . "$root/somato" &&
+    inside "$root" /somato/scripts/setup.sh build test
+}
+
+# step NAME COMMAND...: runs it with the log of the system; prints whether it passes, and its seconds.
+step() {
+  local name=$1 result=ok
+  shift
+  SECONDS=0
+  "$@" >>"$log" 2>&1 || result=FAILED
+  printf '%-10s%6d s  %s\n' "$result" "$SECONDS" "$name"
+  [[ $result == ok ]]
+}
+
+# The stages, the numbers of tests and the names of those that failed, as ./dev test has printed them.
+print_tests() {
+  grep -aE '^(ok|FAILED) +[0-9]+ s +[0-9]+ s of processors|tests passed, [0-9]+ tests failed|^FAILED ' "$log" |
+    sed 's/^/          /'
+}
+
+# Returns whether all passes on Debian $1. Errors do not end the function: each step says whether it has failed.
+run_system() {
+  local root=$work/$1 result=0
+  log=$logs/debian-$1-$architecture.log
+  : >"$log"
+  echo "== Debian $1 (${codenames[$1]}, $architecture), $(git rev-parse --short HEAD)"
+  if step 'set-up' make_system "${codenames[$1]}" "$root"; then
+    step './dev run' inside "$root" /somato/dev run || result=1
+    [[ $only_run ]] || step './dev test' inside "$root" /somato/dev test || result=1
+    print_tests
+  else
+    result=1
+  fi
+  [[ $result == 0 ]] || tail -n 20 "$log" >&2
+  rm -rf --one-file-system "$root"
+  return "$result"
+}
+
+failed=()
+for release in "${releases[@]}"; do
+  run_system "$release" || failed+=("$release")
+done
+echo "Logs: $logs"
+if [[ ${#failed[@]} -gt 0 ]]; then
+  complain "failed on Debian ${failed[*]}"
+  exit 1
+fi
