@@ -28,8 +28,8 @@ Result<std::vector<topics::TopicSensor>> sensors_of(const Arguments& arguments) 
                 kChannelAdvice);
   }
   std::vector<topics::TopicSensor> sensors;
-  for (const std::string& text : split(arguments.text("channels"), ',')) {
-    SOMATO_TRY(auto channel, parse_bag_channel(text));
+  SOMATO_TRY(auto channels, parse_bag_channels(arguments.text("channels")));
+  for (BagChannel& channel : channels) {
     topics::TopicSensor sensor{std::move(channel.name),
                                std::move(channel.unit),
                                std::move(channel.topic),
@@ -60,6 +60,10 @@ Result<std::vector<ExploredThing>> things_of(const Arguments& arguments) {
 
 // The protocol has no numbers of messages: a gap is all that is seen of one that the robot lost.
 void report(const topics::TopicTimes& times, std::size_t dropped) {
+  if (!is_quiet() && times.left_out > 0) {
+    fmt::print(stderr, "somato: {} messages left out, because they lack elements of a channel\n",
+               times.left_out);
+  }
   if (is_quiet() || (times.gaps == 0 && dropped == 0)) return;
   fmt::print(stderr,
              "somato: {} messages, usually {:.1f} ms apart; {} gaps, the longest {:.1f} ms; {} "

@@ -200,10 +200,7 @@ Result<BagImport> bag_description_of(const Arguments& arguments) {
   BagImport description;
   SOMATO_TRY(description.trials, read_flags<BagTrials>(arguments));
   if (arguments.has("channels")) {
-    for (const std::string& text : split(arguments.text("channels"), ',')) {
-      SOMATO_TRY(auto channel, parse_bag_channel(text));
-      description.channels.push_back(std::move(channel));
-    }
+    SOMATO_TRY(description.channels, parse_bag_channels(arguments.text("channels")));
   }
   if (arguments.has("labels")) {
     for (const std::string& text : split(arguments.text("labels"), ',')) {
@@ -224,6 +221,7 @@ std::string lines_of(const BagImportReport& report) {
     lines += fmt::format("left out: {} ({}, {}): {}\n", topic.topic, topic.type,
                          counted(topic.messages, "message"), topic.reason);
   }
+  for (const std::string& remark : report.remarks) lines += fmt::format("note: {}\n", remark);
   return lines;
 }
 
@@ -321,8 +319,9 @@ Command import_command() {
        {"--channels",
         "For csv: the channels with their units and columns, such as "
         "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz or 'touch=taxel_*'. For bag: with their "
-        "topics and fields, such as 'touch:counts=/xServTopic:sensors[*].taxels[*].z'; without "
-        "it the channels of all known types"}},
+        "topics and fields, such as 'touch:counts=/xServTopic:sensors[*].taxels[*].z' or "
+        "'arm:rad=/joint_states:position[shoulder,elbow]'; without it the channels of all known "
+        "types"}},
       import_parameters(),
       run_import,
       "import"};

@@ -117,6 +117,11 @@ std::string text_of(const RecordingSummary& summary) {
   for (const ChannelSummary& channel : summary.channels) {
     text += text_of(channel, summary.explorations);
   }
+  if (summary.unfit) {
+    text +=
+        fmt::format("as a recording: no, because {}; import it, such as with somato import bag\n",
+                    summary.unfit->what);
+  }
   return text + fmt::format("whole: {}\n", summary.damage ? "no" : "yes");
 }
 
@@ -130,6 +135,7 @@ Table table_of(const RecordingSummary& summary) {
   if (is_duration_known(summary)) table.entries.push_back(entry("duration", summary.duration));
   table.entries.push_back(entry("labels", summary.labels, of_label));
   table.entries.push_back(entry("channels", summary.channels, of_channel));
+  table.entries.push_back(entry("unfit", summary.unfit ? summary.unfit->what : std::string()));
   table.entries.push_back(entry("whole", !summary.damage));
   return table;
 }
@@ -153,6 +159,9 @@ std::string irregular_times_of(const TopicSummary& topic) {
   if (gap * topic.rate() > kPeriods) text += fmt::format(", longest gap {:.3g} s", gap);
   if (topic.set_back > 0)
     text += fmt::format(", clock set back {}", counted(topic.set_back, "time"));
+  if (topic.not_of_calendar > 0 && topic.not_of_calendar < topic.messages) {
+    text += fmt::format(", {} before the year 2000", counted(topic.not_of_calendar, "time"));
+  }
   return text;
 }
 
@@ -173,13 +182,38 @@ Table table_of(const TopicSummary& topic) {
           {entry("topic", topic.name), entry("type", topic.type), entry("messages", topic.messages),
            entry("rate", topic.rate()),
            entry("longest_gap", static_cast<double>(topic.longest_gap) / 1e9),
-           entry("set_back", topic.set_back), entry("channels", topic.channels, of_channel),
-           entry("reason", topic.reason)}};
+           entry("set_back", topic.set_back), entry("not_of_calendar", topic.not_of_calendar),
+           entry("channels", topic.channels, of_channel), entry("reason", topic.reason)}};
+}
+
+// Whether some topics have times of the calendar and others do not.
+bool has_two_calendars(const BagSummary& bag) {
+  const auto is_of_calendar = [](const TopicSummary& topic) { return topic.not_of_calendar == 0; };
+  const auto is_of_none = [](const TopicSummary& topic) {
+    return topic.messages > 0 && topic.not_of_calendar == topic.messages;
+  };
+  return std::any_of(bag.topics.begin(), bag.topics.end(), is_of_calendar) &&
+         std::any_of(bag.topics.begin(), bag.topics.end(), is_of_none);
+}
+
+// The topics, and what is unusual about the bag.
+std::string content_of(const BagSummary& bag) {
+  std::string text;
+  for (const TopicSummary& topic : bag.topics) text += text_of(topic);
+  if (bag.displaced > 0) {
+    text +=
+        fmt::format("order: {} displaced, and sorted by time\n", counted(bag.displaced, "message"));
+  }
+  if (has_two_calendars(bag)) {
+    text += "times: some topics have times of the calendar, others times before the year 2000\n";
+  }
+  for (const std::string& remark : bag.remarks) text += fmt::format("note: {}\n", remark);
+  return text;
 }
 
 std::string text_of(const BagSummary& bag) {
   std::string text = fmt::format("bag {}: {}\n", quoted(bag.name), counted(bag.files, "file"));
-  for (const TopicSummary& topic : bag.topics) text += text_of(topic);
+  text += content_of(bag);
   return text + fmt::format("whole: {}\n", bag.damage ? "no" : "yes");
 }
 
@@ -187,6 +221,7 @@ Table table_of(const BagSummary& bag) {
   const auto of_topic = [](const TopicSummary& topic) { return table_of(topic); };
   return {{},
           {entry("bag", bag.name), entry("files", bag.files), entry("topics", bag.topics, of_topic),
+           entry("displaced", bag.displaced), entry("remarks", bag.remarks),
            entry("whole", !bag.damage)}};
 }
 
@@ -226,7 +261,7 @@ Result<void> inspect(const Arguments& arguments) {
   Table table = table_of(summary);
   if (!summary.knows_explorations || summary.explorations == 0) {
     SOMATO_TRY(const std::vector<BagSummary> bags, inspect_bags(arguments));
-    for (const TopicSummary& topic : bags.front().topics) text += text_of(topic);
+    text += content_of(bags.front());
     const auto of_topic = [](const TopicSummary& topic) { return table_of(topic); };
     table.entries.push_back(entry("topics", bags.front().topics, of_topic));
   }

@@ -87,7 +87,11 @@ class _Dataset:
                 if not _is_shape(shape):
                     raise DataError(f"the shape of '{name}' is {shape!r}", str(self.info_path),
                                     "correct it")
-                features[name] = (tuple(shape), _element_names(feature.get("names"), shape))
+                names = _element_names(feature.get("names"), shape)
+                if names is None:
+                    raise DataError(f"the places of the names of '{name}' are not those from 0 on",
+                                    str(self.info_path), "correct them")
+                features[name] = (tuple(shape), names)
         return features
 
     def _episodes(self):
@@ -168,14 +172,21 @@ def _is_shape(shape):
 
 
 def _element_names(names, shape):
-    """The names of the elements; an empty list if there are none, or names of axes.
+    """The names of the elements; an empty list if there are none, or names of axes; None if they
+    have wrong places.
 
     They are a list, a list in a dictionary (``{"motors": [...]}``) or a dictionary of places.
     """
     if isinstance(names, dict):
         values = list(names.values())
-        is_list = len(values) == 1 and isinstance(values[0], list)
-        names = values[0] if is_list else sorted(names, key=lambda name: str(names[name]).zfill(9))
+        if len(values) == 1 and isinstance(values[0], list):
+            names = values[0]
+        elif values and all(type(place) is int for place in values):
+            if sorted(values) != list(range(int(np.prod(shape)))):
+                return None
+            names = sorted(names, key=names.get)
+        else:
+            return []
     if not isinstance(names, list) or len(names) != int(np.prod(shape)):
         return []
     return [str(name) for name in names]

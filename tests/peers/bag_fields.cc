@@ -13,7 +13,7 @@ namespace {
 // Values as their type's letter and bytes with the bits, texts in hexadecimal.
 class Printed : public somato::FieldSink {
  public:
-  void take(const somato::RosScalar& scalar) override {
+  void take(const somato::RosScalar& scalar, somato::FieldPlace /*place*/) override {
     if (somato::is_text(scalar.type)) {
       text += " s";
       for (const char c : scalar.text) text += fmt::format("{:02x}", static_cast<unsigned char>(c));

@@ -119,6 +119,14 @@ def test_names_of_elements_have_several_forms(tmp_path, names, expected):
     assert recording.channels[0]["element_names"] == expected
 
 
+def test_places_of_names_that_are_none_are_refused(tmp_path):
+    for places in ({"a": 0, "b": 2}, {"a": 1, "b": 1}, {"a": 0}):
+        features = {**FEATURES, "observation.state": {**STATE, "names": places}}
+        with pytest.raises(pysomato.DataError, match="the places of the names of"):
+            read_quietly(write_lerobot(tmp_path / str(len(places)) / str(places["a"]),
+                                       {"features": features}))
+
+
 def test_missing_numbers_are_missing_values(tmp_path):
     def rows(episode):
         changed = rows_of(episode)

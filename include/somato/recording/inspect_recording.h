@@ -47,6 +47,10 @@ struct RecordingSummary {
   std::string compression;
   std::uint64_t size = 0;       ///< Bytes.
   std::optional<Error> damage;  ///< The first damaged position; data after it are not counted.
+
+  /// Why a file of another program, although it is not damaged, cannot be read as a recording as it
+  /// is; frames after that are not counted. It can be imported.
+  std::optional<Error> unfit;
 };
 
 /// Scans the MCAP file at `path` with bounded memory: the first values of labels are listed, up to

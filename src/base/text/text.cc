@@ -82,4 +82,12 @@ std::string shown(std::string_view text) {
   return fmt::format("'{}{}'", out, cut ? "..." : "");
 }
 
+std::string shown_list(const std::vector<std::string>& texts) {
+  constexpr std::size_t kMost = 8;
+  const std::size_t count = std::min(texts.size(), kMost);
+  std::string out;
+  for (std::size_t i = 0; i < count; ++i) out += (i == 0 ? "" : ", ") + shown(texts[i]);
+  return count < texts.size() ? out + fmt::format(" and {} others", texts.size() - count) : out;
+}
+
 }  // namespace somato

@@ -45,4 +45,7 @@ std::vector<std::string> split(std::string_view text, char separator);
 /// `text` fit for a message: quoted, cut when long, control characters replaced.
 std::string shown(std::string_view text);
 
+/// The texts fit for a message, with commas between: the first eight and the number of others.
+std::string shown_list(const std::vector<std::string>& texts);
+
 }  // namespace somato

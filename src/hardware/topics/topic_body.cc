@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
-#include "recordings/ros/topic_type.h"
+#include "recordings/explorations/nanoseconds.h"
 #include "somato/core/check.h"
 
 namespace somato::topics {
@@ -55,43 +56,50 @@ Result<void> TopicBody::subscribe(std::vector<TopicSensor> sensors) {
     const auto place = std::find(topics_.begin(), topics_.end(), sensor.topic) - topics_.begin();
     const auto index = static_cast<std::size_t>(place);
     const Topic& topic = found[index];
-    auto type = compile_topic_type(
-        {topic.type, topic.encoding, topic.definition_encoding, topic.definition});
+    const TopicEncoding encoding{topic.type, topic.encoding, topic.definition_encoding,
+                                 topic.definition};
+    auto type = compile_topic_type(encoding);
     if (!type) return fail(with_topic(std::move(type.error()), sensor.topic));
     auto reader = ChannelReader::compile(*type, sensor.paths, sensor.names);
     if (!reader) return fail(with_topic(std::move(reader.error()), sensor.topic));
-    sensors_.push_back({std::move(sensor), index, std::move(*reader)});
+    ElementOrder order = reader->order();
+    sensors_.push_back({std::move(sensor), index, encoding, std::move(*type), std::move(*reader),
+                        std::move(order)});
   }
   description_.sensors.resize(sensors_.size());
   state_.readings.resize(sensors_.size());
   return {};
 }
 
-// The first message of a topic says how many elements its sensors have.
+// The first frame of a sensor determines its number of elements.
 Result<void> TopicBody::wait_for_all() {
-  std::vector<bool> known(topics_.size());
   const double until = now() + patience_;
-  while (std::find(known.begin(), known.end(), false) != known.end()) {
-    if (now() >= until) {
-      const auto missing = std::find(known.begin(), known.end(), false) - known.begin();
-      return fail(silent(topics_[static_cast<std::size_t>(missing)]));
-    }
+  for (;;) {
+    const auto missing = std::find_if(sensors_.begin(), sensors_.end(),
+                                      [](const Sensor& sensor) { return !sensor.is_known; });
+    if (missing == sensors_.end()) return {};
+    if (now() >= until) return fail(silent(*missing));
     for (const Arrival& arrival : client_.take(kWait)) {
-      if (arrival.topic >= topics_.size() || known[arrival.topic]) continue;
-      known[arrival.topic] = true;
       for (std::size_t i = 0; i < sensors_.size(); ++i) {
         if (sensors_[i].topic != arrival.topic) continue;
-        const TopicSensor& declared = sensors_[i].declared;
-        auto names = sensors_[i].reader.element_names(arrival.payload);
-        if (!names) return fail(with_topic(std::move(names.error()), declared.topic));
-        auto shape = sensors_[i].reader.shape(arrival.payload);
-        if (!shape) return fail(with_topic(std::move(shape.error()), declared.topic));
-        description_.sensors[i] = {declared.name,     declared.unit, std::move(*names),
-                                   std::move(*shape), 0.0,           true};
-        SOMATO_TRY_VOID(take_values(i, arrival));
+        SOMATO_TRY(const bool is_frame, take_values(i, arrival));
+        if (is_frame && !sensors_[i].is_known) SOMATO_TRY_VOID(describe(i, arrival));
       }
     }
   }
+}
+
+Result<void> TopicBody::describe(std::size_t index, const Arrival& arrival) {
+  Sensor& sensor = sensors_[index];
+  const TopicSensor& declared = sensor.declared;
+  std::string cdr;
+  auto shape =
+      message_in_cdr(sensor.encoding, *sensor.type, arrival.payload, cdr)
+          .and_then([&](std::string_view message) { return sensor.reader.shape(message); });
+  if (!shape) return fail(with_topic(std::move(shape.error()), declared.topic));
+  description_.sensors[index] = {declared.name,     declared.unit, sensor.order.names(),
+                                 std::move(*shape), 0.0,           true};
+  sensor.is_known = true;
   return {};
 }
 
@@ -102,12 +110,14 @@ void TopicBody::begin() {
   later_ = 0;
   longest_later_ = 0.0;
   gaps_later_ = 0;
+  left_out_ = 0;
   first_time_.reset();
   state_.time = 0.0;
 }
 
 TopicTimes TopicBody::times() const {
   TopicTimes times;
+  times.left_out = left_out_;
   if (!first_time_) return times;
   times.messages = intervals_.size() + later_ + 1;
   if (intervals_.empty()) return times;
@@ -156,20 +166,30 @@ Result<Arrival> TopicBody::next() {
   return arrival;
 }
 
-// Whether it is a message of the first topic.
+// Whether it is a frame of the first topic.
 Result<bool> TopicBody::take(const Arrival& arrival) {
+  bool is_frame = false;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    if (sensors_[i].topic == arrival.topic) SOMATO_TRY_VOID(take_values(i, arrival));
+    if (sensors_[i].topic != arrival.topic) continue;
+    SOMATO_TRY(const bool has_values, take_values(i, arrival));
+    is_frame = is_frame || has_values;
   }
-  if (arrival.topic != 0) return false;
+  if (arrival.topic != 0 || !is_frame) return false;
   SOMATO_TRY_VOID(keep_time(arrival.time));
   return true;
 }
 
-Result<void> TopicBody::take_values(std::size_t index, const Arrival& arrival) {
-  const Sensor& sensor = sensors_[index];
-  auto read = sensor.reader.read(arrival.payload, values_);
+// Whether the message has the elements of the sensor; otherwise it keeps its latest values.
+Result<bool> TopicBody::take_values(std::size_t index, const Arrival& arrival) {
+  Sensor& sensor = sensors_[index];
+  std::string cdr;
+  auto read = message_in_cdr(sensor.encoding, *sensor.type, arrival.payload, cdr)
+                  .and_then([&](std::string_view message) {
+                    return sensor.reader.read(message, sensor.order, values_);
+                  });
   if (!read) return fail(with_topic(std::move(read.error()), sensor.declared.topic));
+  if (values_.empty()) ++left_out_;
+  if (values_.empty()) return false;
   const std::size_t before = state_.readings[index].columns();
   if (before != 0 && before != values_.size()) {
     return fail(
@@ -177,14 +197,29 @@ Result<void> TopicBody::take_values(std::size_t index, const Arrival& arrival) {
         fmt::format("a message has {} values, the first one had {}", values_.size(), before),
         sensor.declared.topic, "record it with 'ros2 bag record' and look at it");
   }
+  const auto missing = std::find_if(values_.begin(), values_.end(),
+                                    [](double value) { return !std::isfinite(value); });
+  if (missing != values_.end()) {
+    return fail(ErrorKind::kData,
+                fmt::format("element {} of a message is missing or not a number",
+                            missing - values_.begin() + 1),
+                sensor.declared.topic, "select elements that every message has");
+  }
   state_.readings[index] =
       Matrix<float>(1, values_.size(), std::vector<float>(values_.begin(), values_.end()));
-  return {};
+  return true;
 }
 
 Result<void> TopicBody::keep_time(std::uint64_t time) {
   if (!first_time_) {
     first_time_ = time;
+  } else if (is_of_calendar(static_cast<std::int64_t>(time)) !=
+             is_of_calendar(static_cast<std::int64_t>(*first_time_))) {
+    return fail(ErrorKind::kData,
+                fmt::format("the clock of the server jumped from {} to {}",
+                            words_of_time(static_cast<std::int64_t>(last_time_)),
+                            words_of_time(static_cast<std::int64_t>(time))),
+                topics_.front(), "begin again when the clock of the robot is set");
   } else if (time < last_time_) {
     return fail(ErrorKind::kData,
                 fmt::format("the clock of the server went back by {:.3f} s",
@@ -203,6 +238,16 @@ Error TopicBody::silent(const std::string& topic) const {
   std::string what = fmt::format("no message arrived for {:g} s", patience_);
   if (!state.connected) what += "; the connection is lost: " + state.problem;
   return {ErrorKind::kSystem, what, topic, "check that the robot publishes it"};
+}
+
+Error TopicBody::silent(const Sensor& sensor) const {
+  Error error = silent(sensor.declared.topic);
+  const std::vector<std::string> known = sensor.order.known_names();
+  if (known.empty()) return error;
+  error.what = fmt::format("no message with all of the elements {} arrived for {:g} s",
+                           fmt::join(sensor.order.names(), ", "), patience_);
+  error.advice = fmt::format("its messages have the elements {}", fmt::join(known, ", "));
+  return error;
 }
 
 }  // namespace somato::topics

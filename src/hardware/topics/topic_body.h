@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "hardware/topics/topic_client.h"
+#include "recordings/explorations/element_order.h"
 #include "recordings/ros/channel_reader.h"
+#include "recordings/ros/topic_type.h"
 #include "somato/bodies/body.h"
 
 namespace somato::topics {
@@ -27,9 +29,10 @@ struct TopicSensor {
 /// The intervals between the messages of the first topic of a body, since it began.
 struct TopicTimes {
   std::size_t messages = 0;
-  double usual = 0.0;    ///< The median interval in s.
-  double longest = 0.0;  ///< The longest interval in s.
-  std::size_t gaps = 0;  ///< Intervals of more than three times the usual one.
+  double usual = 0.0;        ///< The median interval in s.
+  double longest = 0.0;      ///< The longest interval in s.
+  std::size_t gaps = 0;      ///< Intervals of more than three times the usual one.
+  std::size_t left_out = 0;  ///< Messages without the elements of a sensor.
 };
 
 /// A body without servos, whose sensors are topics of a robot. Its time is that of the server's
@@ -61,15 +64,19 @@ class TopicBody : public Body {
   Result<void> drive_to(std::span<const double> targets) override;
 
   /// Errors (kSystem): no message of the first topic for `patience` seconds; (kData): a message
-  /// that cannot be read, has another number of values than the first one, or is older than the one
-  /// before.
+  /// that cannot be read, has other elements than the first one (see ElementOrder), or is older
+  /// than the one before. Messages without the elements that a sensor selects by name are counted.
   Result<void> pass(double seconds) override;
 
  private:
   struct Sensor {
     TopicSensor declared;
     std::size_t topic = 0;
+    TopicEncoding encoding;
+    std::shared_ptr<const RosType> type;
     ChannelReader reader;
+    ElementOrder order;
+    bool is_known = false;  ///< Whether it is described.
   };
 
   TopicBody(std::string name, TopicClient& client, double patience)
@@ -80,11 +87,13 @@ class TopicBody : public Body {
   Result<void> subscribe(std::vector<TopicSensor> sensors);
   Result<void> wait_for_all();
   Result<bool> take(const Arrival& arrival);
-  Result<void> take_values(std::size_t sensor, const Arrival& arrival);
+  Result<bool> take_values(std::size_t sensor, const Arrival& arrival);
+  Result<void> describe(std::size_t sensor, const Arrival& arrival);
   Result<void> keep_time(std::uint64_t time);
   Result<Arrival> next();
   void keep_interval(double seconds);
   Error silent(const std::string& topic) const;
+  Error silent(const Sensor& sensor) const;
 
   TopicClient& client_;
   double patience_;
@@ -101,6 +110,7 @@ class TopicBody : public Body {
   std::size_t later_ = 0;          // intervals after them
   double longest_later_ = 0.0;
   std::size_t gaps_later_ = 0;
+  std::size_t left_out_ = 0;
 };
 
 }  // namespace somato::topics

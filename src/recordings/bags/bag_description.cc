@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/text/text.h"
+#include "recordings/ros/path_elements.h"
 
 namespace somato {
 namespace {
@@ -70,6 +71,22 @@ std::optional<std::pair<std::string, std::string>> halves(const std::string& tex
   return std::pair(text.substr(0, place), text.substr(place + 1));
 }
 
+Result<BagChannel> parse_bag_channel(const std::string& text) {
+  const auto sides = halves(text, '=');
+  const auto source = sides ? halves(sides->second, ':') : std::nullopt;
+  if (!source) {
+    return fail(ErrorKind::kUsage, fmt::format("{} is not a channel", shown(text)), "--channels",
+                "write for example touch:counts=/xServTopic:sensors[*].taxels[*].z");
+  }
+  BagChannel channel;
+  const std::size_t colon = std::min(sides->first.find(':'), sides->first.size());
+  channel.name = sides->first.substr(0, colon);
+  channel.unit = sides->first.substr(std::min(colon + 1, sides->first.size()));
+  channel.topic = source->first;
+  channel.fields = split_outside_brackets(source->second, '+');
+  return channel;
+}
+
 }  // namespace
 
 const std::vector<std::pair<BagClock, std::string>>& Choices<BagClock>::all() {
@@ -119,9 +136,12 @@ const Declarations<BagChannel>& BagChannel::declarations() {
                "Unit of its values after multiplication by the factor; empty for none.")
           .add("topic", &P::topic, "", Range::any(), "Its topic. Required.")
           .add("fields", &P::fields, "", Range::any(),
-               "Its fields, such as sensors[*].taxels[*].z, position or wrench.force. Required.")
+               "Its fields, such as sensors[*].taxels[*].z, position[elbow,wrist], sensors[*:32].z "
+               "or wrench.force. Required.")
           .add("names", &P::names, "", Range::any(),
-               "Field of texts with the names of its elements; empty: the places of the values.")
+               "Fields of texts with the names of its elements, with + between; empty: those of a "
+               "known type, or a field name, names or joint_names; without any, the elements have "
+               "the names of their places.")
           .add("shape", &P::shape, "", Range::between(1, 1e9),
                "Arrangement of the values, row by row, such as [4, 4]; empty: a flat list.")
           .add("factor", &P::factor, "", Range::any(),
@@ -175,20 +195,13 @@ Result<BagImport> read_bag_import(const Table& file) {
   return description;
 }
 
-Result<BagChannel> parse_bag_channel(const std::string& text) {
-  const auto sides = halves(text, '=');
-  const auto source = sides ? halves(sides->second, ':') : std::nullopt;
-  if (!source) {
-    return fail(ErrorKind::kUsage, fmt::format("{} is not a channel", shown(text)), "--channels",
-                "write for example touch:counts=/xServTopic:sensors[*].taxels[*].z");
+Result<std::vector<BagChannel>> parse_bag_channels(const std::string& text) {
+  std::vector<BagChannel> channels;
+  for (const std::string& part : split_outside_brackets(text, ',')) {
+    SOMATO_TRY(BagChannel channel, parse_bag_channel(part));
+    channels.push_back(std::move(channel));
   }
-  BagChannel channel;
-  const std::size_t colon = std::min(sides->first.find(':'), sides->first.size());
-  channel.name = sides->first.substr(0, colon);
-  channel.unit = sides->first.substr(std::min(colon + 1, sides->first.size()));
-  channel.topic = source->first;
-  channel.fields = split(source->second, '+');
-  return channel;
+  return channels;
 }
 
 Result<BagLabel> parse_bag_label(const std::string& text) {

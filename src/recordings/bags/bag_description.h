@@ -85,9 +85,10 @@ Result<void> check_bag_import(const BagImport& description);
 /// (kUsage) with their location: also unknown keys and values out of range.
 Result<BagImport> read_bag_import(const Table& file);
 
+/// Channels with commas between, such as
 /// "touch:counts=/topic:sensors[*].taxels[*].z+sensors[*].taxels[*].x", where the unit and what
 /// follows the first field are optional. Errors (kUsage).
-Result<BagChannel> parse_bag_channel(const std::string& text);
+Result<std::vector<BagChannel>> parse_bag_channels(const std::string& text);
 
 /// "object=cup" or "object=/topic:field". Errors (kUsage).
 Result<BagLabel> parse_bag_label(const std::string& text);

@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
-#include <set>
+#include <limits>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "base/files/whole_file.h"
 #include "base/text/text.h"
 #include "recordings/bags/mcap_bag.h"
+#include "recordings/bags/sorted_bag.h"
 #include "recordings/bags/sqlite_bag.h"
 #include "recordings/file/ros_messages.h"
 #include "recordings/ros/definition.h"
@@ -40,64 +44,6 @@ bool is_bag_file(const std::string& name) {
          name.ends_with(".mcap.zstd") || name.ends_with(".db3.zstd");
 }
 
-std::string_view unquoted(std::string_view text) {
-  const bool is_quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
-                         text.back() == text.front();
-  return is_quoted ? text.substr(1, text.size() - 2) : text;
-}
-
-// The needed keys of metadata.yaml; rosbag2 writes one key or item on each line.
-struct BagMetadata {
-  std::vector<std::string> files;
-  std::string compression;
-};
-
-BagMetadata parse_metadata(std::string_view text) {
-  BagMetadata metadata;
-  bool is_list_of_files = false;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (is_list_of_files && line.starts_with("- ")) {
-      metadata.files.emplace_back(unquoted(trimmed(line.substr(2))));
-      continue;
-    }
-    is_list_of_files = line == "relative_file_paths:";
-    constexpr std::string_view kCompression = "compression_mode:";
-    if (line.starts_with(kCompression)) {
-      metadata.compression = unquoted(trimmed(line.substr(kCompression.size())));
-    }
-  }
-  return metadata;
-}
-
-Result<BagLocation> bag_of_folder(const fs::path& folder, std::string name) {
-  const std::string place = (folder / kMetadata).string();
-  SOMATO_TRY(const std::string text, read_whole(place, kLongestMetadata));
-  const BagMetadata metadata = parse_metadata(text);
-  if (metadata.files.empty()) {
-    return fail(ErrorKind::kData, "it lists no files in relative_file_paths", place,
-                "write it again with `ros2 bag reindex`");
-  }
-  if (metadata.compression == "MESSAGE" || metadata.compression == "message") {
-    return fail(ErrorKind::kData, "the messages of the bag are compressed one by one", place,
-                "write it without compression with `ros2 bag convert`");
-  }
-  BagLocation bag{folder.string(), std::move(name), {}};
-  for (const std::string& file : metadata.files) {
-    const fs::path path = folder / fs::path(file).filename();
-    std::error_code failure;
-    if (!fs::is_regular_file(path, failure)) {
-      return fail(ErrorKind::kData, fmt::format("the bag's file {} is missing", shown(file)), place,
-                  "copy all files of the bag");
-    }
-    bag.files.push_back(path.string());
-  }
-  return bag;
-}
-
 Result<std::unique_ptr<BagSource>> open_bag_file(const std::string& path) {
   const std::string beginning = beginning_of(path);
   if (is_mcap(beginning)) return McapBag::open(path);
@@ -113,6 +59,75 @@ Result<std::unique_ptr<BagSource>> open_bag_file(const std::string& path) {
   }
   return fail(ErrorKind::kData, "it is neither MCAP nor a database of rosbag2", path,
               "use a file that `ros2 bag record` or a program for MCAP has written");
+}
+
+// The time of the first message of a file, or nothing if it has none.
+Result<std::optional<std::int64_t>> first_time_of(const std::string& path) {
+  SOMATO_TRY(const std::unique_ptr<BagSource> file, open_bag_file(path));
+  SOMATO_TRY(const std::optional<BagMessage> message, file->next());
+  return message ? std::optional(message->time) : std::nullopt;
+}
+
+// Files without a list of their order are in that of their first messages.
+Result<void> sort_by_time(std::vector<std::string>& files) {
+  std::vector<std::pair<std::int64_t, std::size_t>> order;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    SOMATO_TRY(const auto time, first_time_of(files[i]));
+    order.emplace_back(time.value_or(std::numeric_limits<std::int64_t>::max()), i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::string> sorted;
+  for (const auto& [time, index] : order) sorted.push_back(std::move(files[index]));
+  files = std::move(sorted);
+  return {};
+}
+
+// The bag of a folder whose description lists no files, or is missing.
+Result<BagLocation> bag_of_unlisted_files(BagLocation bag, std::vector<std::string> files,
+                                          const std::string& reason) {
+  bag.files = std::move(files);
+  SOMATO_TRY_VOID(sort_by_time(bag.files));
+  bag.remarks.push_back(
+      fmt::format("{}, so that the {} files of the folder are read in the order of their times",
+                  reason, bag.files.size()));
+  return bag;
+}
+
+// `files` are the bag files in the folder, with their paths.
+Result<BagLocation> bag_of_folder(const fs::path& folder, std::string name,
+                                  std::vector<std::string> files) {
+  const std::string place = (folder / kMetadata).string();
+  SOMATO_TRY(const std::string text, read_whole(place, kLongestMetadata));
+  BagLocation bag{folder.string(), std::move(name), {}, parse_bag_metadata(text), {}};
+  if (bag.metadata.files.empty()) {
+    if (!files.empty()) {
+      return bag_of_unlisted_files(std::move(bag), std::move(files),
+                                   "metadata.yaml lists no files");
+    }
+    return fail(ErrorKind::kData, "it lists no files in relative_file_paths", place,
+                "write it again with `ros2 bag reindex`");
+  }
+  if (bag.metadata.compression == "MESSAGE" || bag.metadata.compression == "message") {
+    return fail(ErrorKind::kData, "the messages of the bag are compressed one by one", place,
+                "write it without compression with `ros2 bag convert`");
+  }
+  for (const std::string& file : bag.metadata.files) {
+    const fs::path path = folder / fs::path(file).filename();
+    std::error_code failure;
+    if (!fs::is_regular_file(path, failure)) {
+      return fail(ErrorKind::kData, fmt::format("the bag's file {} is missing", shown(file)), place,
+                  "copy all files of the bag");
+    }
+    bag.files.push_back(path.string());
+  }
+  for (const std::string& file : files) {
+    if (std::find(bag.files.begin(), bag.files.end(), file) != bag.files.end()) continue;
+    bag.remarks.push_back(
+        fmt::format("metadata.yaml does not list {}, which is not read; write it again with `ros2 "
+                    "bag reindex` if the file belongs to the bag",
+                    shown(fs::path(file).filename().string())));
+  }
+  return bag;
 }
 
 // "package/Name" for "package/msg/Name.msg", or nothing.
@@ -200,31 +215,63 @@ class BagOfFiles : public BagSource {
   std::vector<BagTopic> topics_;
 };
 
+// The files that belong to bags in a folder.
+struct FolderOfBags {
+  bool has_metadata = false;
+  std::vector<std::string> files;  // Below the folder that is searched.
+};
+
+// Whether rosbag2 has split a bag into these files: FOLDER_0.mcap, FOLDER_1.mcap and so on.
+bool are_parts_of_one(const std::string& folder, const std::vector<std::string>& files) {
+  return files.size() > 1 && std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+           std::string name = fs::path(file).filename().string();
+           name = name.substr(0, name.find('.', folder.size()));
+           return name.starts_with(folder + "_") && name.size() > folder.size() + 1 &&
+                  name.find_first_not_of("0123456789", folder.size() + 1) == std::string::npos;
+         });
+}
+
+Result<void> add_bags_of_folder(const fs::path& searched, const fs::path& relative,
+                                const FolderOfBags& folder, std::vector<BagLocation>& bags) {
+  const fs::path path = relative.empty() ? searched : searched / relative;
+  const std::string own_name = fs::weakly_canonical(path).filename().string();
+  const std::string name = relative.empty() ? own_name : relative.generic_string();
+  std::vector<std::string> paths;
+  for (const std::string& file : folder.files) paths.push_back((searched / file).string());
+  if (folder.has_metadata) {
+    SOMATO_TRY(BagLocation bag, bag_of_folder(path, name, std::move(paths)));
+    bags.push_back(std::move(bag));
+  } else if (are_parts_of_one(own_name, folder.files)) {
+    SOMATO_TRY(BagLocation bag,
+               bag_of_unlisted_files({path.string(), name, {}, {}, {}}, std::move(paths),
+                                     "the bag has no metadata.yaml"));
+    bags.push_back(std::move(bag));
+  } else {
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      bags.push_back({paths[i], folder.files[i], {paths[i]}, {}, {}});
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<std::vector<BagLocation>> find_bags(const fs::path& path) {
   std::error_code failure;
   std::vector<BagLocation> bags;
   if (fs::is_regular_file(path, failure)) {
-    bags.push_back({path.string(), path.filename().string(), {path.string()}});
+    bags.push_back({path.string(), path.filename().string(), {path.string()}, {}, {}});
     return bags;
   }
   SOMATO_TRY(const std::vector<std::string> files, files_below(path, ""));
-  std::set<fs::path> folders;
+  std::map<fs::path, FolderOfBags> folders;
   for (const std::string& file : files) {
-    const fs::path relative(file);
-    if (relative.filename() != kMetadata) continue;
-    folders.insert(relative.parent_path());
-    const fs::path folder = path / relative.parent_path();
-    const std::string name = relative.has_parent_path()
-                                 ? relative.parent_path().generic_string()
-                                 : fs::weakly_canonical(path).filename().string();
-    SOMATO_TRY(BagLocation bag, bag_of_folder(folder, name));
-    bags.push_back(std::move(bag));
+    FolderOfBags& folder = folders[fs::path(file).parent_path()];
+    if (fs::path(file).filename() == kMetadata) folder.has_metadata = true;
+    if (is_bag_file(file)) folder.files.push_back(file);
   }
-  for (const std::string& file : files) {
-    if (!is_bag_file(file) || folders.contains(fs::path(file).parent_path())) continue;
-    bags.push_back({(path / file).string(), file, {(path / file).string()}});
+  for (const auto& [relative, folder] : folders) {
+    SOMATO_TRY_VOID(add_bags_of_folder(path, relative, folder, bags));
   }
   std::sort(bags.begin(), bags.end(), [](const BagLocation& a, const BagLocation& b) {
     return naturally_before(a.name, b.name);
@@ -234,12 +281,12 @@ Result<std::vector<BagLocation>> find_bags(const fs::path& path) {
               path.string(), "use a bag, or a folder that contains bags");
 }
 
-Result<std::unique_ptr<BagSource>> open_bag(const BagLocation& bag,
+Result<std::unique_ptr<SortedBag>> open_bag(const BagLocation& bag,
                                             const std::string& definitions) {
   SOMATO_TRY(RosDefinitions known, read_definitions(definitions));
   auto source = std::make_unique<BagOfFiles>(bag.files, std::move(known));
   SOMATO_TRY_VOID(source->open_next());
-  return source;
+  return std::make_unique<SortedBag>(std::move(source));
 }
 
 }  // namespace somato

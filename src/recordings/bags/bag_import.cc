@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/text/text.h"
@@ -15,6 +16,7 @@
 #include "recordings/bags/span_table.h"
 #include "recordings/bags/topic_use.h"
 #include "recordings/explorations/checked_explorations.h"
+#include "recordings/explorations/element_order.h"
 #include "recordings/explorations/nanoseconds.h"
 #include "recordings/explorations/spooled_frames.h"
 #include "recordings/tables/name_pattern.h"
@@ -22,6 +24,8 @@
 
 namespace somato {
 namespace {
+
+using ElementOrders = std::map<std::string, ElementOrder>;
 
 // A channel of the exploration that is open.
 struct ImportedChannel {
@@ -40,11 +44,12 @@ bool is_end(const std::string& value) {
 class BagReading {
  public:
   BagReading(const BagLocation& bag, std::vector<Label> labels, const BagImport& description,
-             const std::vector<BagSpan>& spans, FrameSink& sink)
+             const std::vector<BagSpan>& spans, ElementOrders& orders, FrameSink& sink)
       : bag_(&bag),
         name_labels_(std::move(labels)),
         description_(&description),
         spans_(&spans),
+        orders_(&orders),
         sink_(&sink),
         values_of_labels_(description.labels.size()) {
     for (const BagChannel& channel : description.channels) (void)channel_named(channel.name);
@@ -63,15 +68,21 @@ class BagReading {
     SOMATO_TRY_VOID(end());
     SOMATO_TRY_VOID(check_topics());
     add_left_out(report);
+    add_remarks(report);
     return {};
   }
 
  private:
-  Result<void> take(const BagMessage& message) {
+  Result<void> take(BagMessage message) {
     if (!zero_) zero_ = message.time;
     SOMATO_TRY_VOID(compile_uses());
     ++messages_[message.topic];
     const TopicUse& use = uses_[message.topic];
+    if (use.type && use.reason.empty()) {
+      SOMATO_TRY(message.data, located(message_in_cdr(source_->topics()[message.topic].encoding,
+                                                      *use.type, message.data, cdr_),
+                                       message));
+    }
     SOMATO_TRY_VOID(use.is_event ? end() : end_by(message.time));
     for (const TopicUse::Label& label : use.labels) {
       SOMATO_TRY(values_of_labels_[label.label],
@@ -88,6 +99,9 @@ class BagReading {
       if (!use) {
         use.error().where = fmt::format("{}: {}", bag_->path, use.error().where);
         return fail(std::move(use.error()));
+      }
+      for (const TopicUse::Channel& channel : use->channels) {
+        orders_->try_emplace(channel.description.name, channel.reader.order());
       }
       uses_.push_back(std::move(*use));
       messages_.push_back(0);
@@ -113,6 +127,10 @@ class BagReading {
     std::int64_t time = message.time;
     if (use.stamp) {
       SOMATO_TRY(time, located(stamp_in(*use.stamp, message.data), message));
+      if (time == 0 && !zero_stamps_.insert(message.topic).second) {
+        return bad("the stamp in the header is 0 again, which is no time", message,
+                   "use the time at which messages were received: --clock receiver");
+      }
     }
     for (const TopicUse::Channel& channel : use.channels) {
       SOMATO_TRY_VOID(take_frame(channel, message, time));
@@ -149,30 +167,51 @@ class BagReading {
 
   Result<void> take_frame(const TopicUse::Channel& source, const BagMessage& message,
                           std::int64_t time) {
-    SOMATO_TRY_VOID(located(source.reader.read(message.data, values_), message));
+    const std::string& name = source.description.name;
+    SOMATO_TRY(const bool has_all,
+               located(source.reader.read(message.data, orders_->at(name), values_), message));
+    if (!has_all) ++without_elements_[{message.topic, name}];
     if (values_.empty()) return {};
     SOMATO_TRY(ImportedChannel * channel, channel_for(source, message));
     if (values_.size() != channel->elements) {
-      return bad(fmt::format("the frame of {} has {} elements, the first one {}",
-                             shown(source.description.name), values_.size(), channel->elements),
-                 message, "select elements that every message has, such as sensors[0..3]");
+      return bad(fmt::format("the frame of {} has {} elements, the first one {}", shown(name),
+                             values_.size(), channel->elements),
+                 message,
+                 "select elements that every message has, such as sensors[0..3], or a number of "
+                 "elements of which some may be missing, such as sensors[*:4]");
     }
-    if (time < channel->latest) {
-      if (description_->trials.jumps == ClockJumps::kRefuse) {
-        return bad(
-            fmt::format("the clock of {} is set back by {:.6g} s", shown(source.description.name),
-                        static_cast<double>(channel->latest - time) / 1e9),
-            message, "cut the explorations there with --jumps cut");
-      }
-      const std::vector<Label> labels = labels_;
-      SOMATO_TRY_VOID(end());
-      begin({});
-      labels_ = labels;
-      return take_frame(source, message, time);
-    }
+    if (is_jump(*channel, time)) return take_jump(source, *channel, message, time);
     channel->latest = time;
     if (!start_) start_ = time;
     return add_frame(*channel, source.description.factor, time);
+  }
+
+  bool is_jump(const ImportedChannel& channel, std::int64_t time) const {
+    return time < channel.latest || (start_ && is_of_calendar(time) != is_of_calendar(*start_));
+  }
+
+  // The exploration ends at a jump of the clock.
+  Result<void> take_jump(const TopicUse::Channel& source, const ImportedChannel& channel,
+                         const BagMessage& message, std::int64_t time) {
+    if (description_->trials.jumps == ClockJumps::kRefuse) {
+      const std::string name = shown(source.description.name);
+      if (time < channel.latest && is_of_calendar(time) == is_of_calendar(channel.latest)) {
+        return bad(fmt::format("the clock of {} is set back by {:.6g} s", name,
+                               static_cast<double>(channel.latest - time) / 1e9),
+                   message, "cut the explorations there with --jumps cut");
+      }
+      return bad(fmt::format("a frame of {} has the time {}, and the exploration begins at {}: one "
+                             "of the two is no time of the calendar",
+                             name, words_of_time(time), words_of_time(*start_)),
+                 message,
+                 "use the other clock (--clock header or receiver), leave out topics with the "
+                 "other kind of times, or cut the explorations there with --jumps cut");
+    }
+    const std::vector<Label> labels = labels_;
+    SOMATO_TRY_VOID(end());
+    begin({});
+    labels_ = labels;
+    return take_frame(source, message, time);
   }
 
   ImportedChannel& channel_named(const std::string& name) {
@@ -191,8 +230,7 @@ class BagReading {
     if (channel.elements != 0) return &channel;
     channel.elements = values_.size();
     channel.description.unit = source.description.unit;
-    SOMATO_TRY(channel.description.element_names,
-               located(source.reader.element_names(message.data), message));
+    channel.description.element_names = orders_->at(name).names();
     if (channel.description.element_names.size() != channel.elements) {
       channel.description.element_names.clear();
     }
@@ -258,6 +296,7 @@ class BagReading {
   Result<void> check_channels() const {
     for (const BagChannel& channel : description_->channels) {
       if (channels_.at(channel.name).elements != 0) continue;
+      SOMATO_TRY_VOID(check_elements_found(channel));
       return fail(
           ErrorKind::kData,
           fmt::format("the channel {} has no frames in the exploration", shown(channel.name)),
@@ -266,6 +305,23 @@ class BagReading {
     if (start_) return {};
     return fail(ErrorKind::kData, "the exploration has no frames", place_of_exploration(),
                 "describe its channels with --channels");
+  }
+
+  // A name that no message has is rather a mistake than a joint that rests.
+  Result<void> check_elements_found(const BagChannel& channel) const {
+    const auto found = orders_->find(channel.name);
+    if (found == orders_->end()) return {};
+    const std::vector<std::string> known = found->second.known_names();
+    const std::vector<std::string>& selected = found->second.names();
+    const auto missing = std::find_if(selected.begin(), selected.end(), [&](const auto& name) {
+      return std::find(known.begin(), known.end(), name) == known.end();
+    });
+    if (known.empty() || missing == selected.end()) return {};
+    Error error = unknown_name("element", *missing, place_of_exploration(), known);
+    error.what = fmt::format("no message has all elements of channel {}: {}", shown(channel.name),
+                             error.what);
+    error.kind = ErrorKind::kData;
+    return fail(std::move(error));
   }
 
   Result<void> check_topics() const {
@@ -287,20 +343,40 @@ class BagReading {
     return fail(unknown_name("topic", topic, bag_->path, names));
   }
 
+  void add_remarks(BagImportReport& report) const {
+    std::map<std::string, std::uint64_t> held;
+    for (std::size_t i = 0; i < messages_.size(); ++i) {
+      held[source_->topics()[i].name] += messages_[i];
+    }
+    std::vector<std::string> remarks = differences(bag_->metadata, held);
+    remarks.insert(remarks.begin(), bag_->remarks.begin(), bag_->remarks.end());
+    for (const std::string& remark : remarks) {
+      report.remarks.push_back(fmt::format("{}: {}", bag_->path, remark));
+    }
+  }
+
   void add_left_out(BagImportReport& report) const {
     report.frames_outside += frames_outside_;
     for (std::size_t i = 0; i < uses_.size(); ++i) {
-      const BagTopic& topic = source_->topics()[i];
-      if (uses_[i].reason.empty()) continue;
-      const auto same = std::find_if(
-          report.left_out.begin(), report.left_out.end(), [&](const LeftOutTopic& other) {
-            return other.topic == topic.name && other.reason == uses_[i].reason;
-          });
-      if (same != report.left_out.end()) {
-        same->messages += messages_[i];
-      } else {
-        report.left_out.push_back({topic.name, topic.encoding.type, messages_[i], uses_[i].reason});
-      }
+      if (!uses_[i].reason.empty()) add_left_out(report, i, messages_[i], uses_[i].reason);
+    }
+    for (const auto& [of, messages] : without_elements_) {
+      add_left_out(report, of.first, messages,
+                   fmt::format("without all elements of channel {}", shown(of.second)));
+    }
+  }
+
+  void add_left_out(BagImportReport& report, std::size_t topic, std::uint64_t messages,
+                    const std::string& reason) const {
+    const BagTopic& of = source_->topics()[topic];
+    const auto same = std::find_if(report.left_out.begin(), report.left_out.end(),
+                                   [&](const LeftOutTopic& other) {
+                                     return other.topic == of.name && other.reason == reason;
+                                   });
+    if (same != report.left_out.end()) {
+      same->messages += messages;
+    } else {
+      report.left_out.push_back({of.name, of.encoding.type, messages, reason});
     }
   }
 
@@ -330,11 +406,14 @@ class BagReading {
   std::vector<Label> name_labels_;
   const BagImport* description_;
   const std::vector<BagSpan>* spans_;
+  ElementOrders* orders_;  // By the names of channels, for all bags.
   FrameSink* sink_;
   std::vector<std::optional<std::string>> values_of_labels_;
   std::unique_ptr<BagSource> source_;
   std::vector<TopicUse> uses_;
   std::vector<std::uint64_t> messages_;
+  std::map<std::pair<std::size_t, std::string>, std::uint64_t> without_elements_;
+  std::set<std::size_t> zero_stamps_;  // Topics with such a stamp; a simulation may begin at 0.
   std::map<std::string, ImportedChannel> channels_;
   std::vector<std::string> order_;
   SpooledFrames frames_;
@@ -345,6 +424,7 @@ class BagReading {
   std::int64_t latest_frame_ = 0;
   std::size_t next_span_ = 0;
   std::uint64_t frames_outside_ = 0;
+  std::string cdr_;  // The latest message, if it is in JSON.
   std::vector<double> values_;
   std::vector<float> frame_;
   std::vector<std::uint8_t> valid_;
@@ -374,11 +454,12 @@ Result<BagImportReport> import_bags(const std::filesystem::path& path, const Bag
     SOMATO_TRY(spans, read_span_table(description.trials.spans));
   }
   BagImportReport report;
+  ElementOrders orders;
   CheckedExplorations checked(to);
   for (const BagLocation& bag : bags) {
     SOMATO_TRY(auto labels, labels_of_name(bag, description.trials));
     if (!labels) continue;
-    BagReading reading(bag, std::move(*labels), description, spans, checked);
+    BagReading reading(bag, std::move(*labels), description, spans, orders, checked);
     SOMATO_TRY_VOID(reading.run(report, should_continue));
   }
   report.explorations = checked.count();

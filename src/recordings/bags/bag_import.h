@@ -14,7 +14,7 @@
 
 namespace somato {
 
-/// A topic without a channel in some bags, and why.
+/// Messages of a topic that are in no channel, and why.
 struct LeftOutTopic {
   std::string topic;
   std::string type;
@@ -28,6 +28,7 @@ struct BagImportReport {
   Exploration first;                 ///< The first exploration, with one frame of each channel.
   std::uint64_t frames_outside = 0;  ///< Frames outside of all explorations.
   std::vector<LeftOutTopic> left_out;
+  std::vector<std::string> remarks;  ///< How bags differ from their descriptions.
 };
 
 /// Reads the bags at `path` (see find_bags()) and hands their explorations to `to`, one after the
@@ -42,9 +43,10 @@ struct BagImportReport {
 ///
 /// Errors: those of find_bags(), open_bag(), read_span_table() and `to`; kUsage for topics that do
 /// not exist and fields that their type does not have; kData with bag, topic and time for messages
-/// that cannot be decoded, frames with another number of elements, clocks that are set back (unless
-/// the description permits it), labels without a message, channels without frames, explorations
-/// with other channels or labels than the first one.
+/// that cannot be decoded, frames with other elements (see ElementOrder), clocks that are set back
+/// or jump between times of the calendar and others (unless the description permits it), stamps of
+/// 0, labels without a message, channels without frames, explorations with other channels or labels
+/// than the first one.
 Result<BagImportReport> import_bags(const std::filesystem::path& path, const BagImport& description,
                                     FrameSink& to, const std::function<bool()>& should_continue);
 

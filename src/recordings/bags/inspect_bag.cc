@@ -1,8 +1,11 @@
 #include "recordings/bags/inspect_bag.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
+#include "recordings/explorations/nanoseconds.h"
 #include "recordings/ros/topic_type.h"
 
 namespace somato {
@@ -14,8 +17,12 @@ void describe_topic(TopicSummary& summary, const BagTopic& topic, std::string_vi
   summary.reason = std::move(type.reason);
   const std::string base = topic.name.substr(topic.name.starts_with('/') ? 1 : 0);
   std::vector<double> values;
+  std::string cdr;
+  Result<std::string_view> decoded = message;
+  if (type.type) decoded = message_in_cdr(topic.encoding, *type.type, message, cdr);
   for (const TopicChannel& channel : type.channels) {
-    const Result<void> read = channel.reader.read(message, values);
+    const Result<void> read = decoded.and_then(
+        [&](std::string_view plain) { return channel.reader.read(plain, values); });
     if (!read) {
       summary.reason = read.error().what;
     } else if (!values.empty()) {
@@ -34,8 +41,17 @@ void add_time(TopicSummary& summary, std::int64_t time) {
   if (summary.messages > 0) {
     summary.longest_gap = std::max(summary.longest_gap, time - summary.last);
   }
+  if (!is_of_calendar(time)) ++summary.not_of_calendar;
   summary.last = time;
   ++summary.messages;
+}
+
+void add_differences(BagSummary& summary, const BagMetadata& listed) {
+  std::map<std::string, std::uint64_t> held;
+  for (const TopicSummary& topic : summary.topics) held[topic.name] += topic.messages;
+  for (std::string& sentence : differences(listed, held)) {
+    summary.remarks.push_back(std::move(sentence));
+  }
 }
 
 }  // namespace
@@ -46,8 +62,8 @@ double TopicSummary::rate() const {
 }
 
 Result<BagSummary> inspect_bag(const BagLocation& bag, const std::string& definitions) {
-  SOMATO_TRY(const std::unique_ptr<BagSource> source, open_bag(bag, definitions));
-  BagSummary summary{bag.name, bag.files.size(), {}, std::nullopt};
+  SOMATO_TRY(const std::unique_ptr<SortedBag> source, open_bag(bag, definitions));
+  BagSummary summary{bag.name, bag.files.size(), {}, 0, bag.remarks, std::nullopt};
   for (;;) {
     Result<std::optional<BagMessage>> message = source->next();
     if (!message) summary.damage = std::move(message.error());
@@ -62,6 +78,8 @@ Result<BagSummary> inspect_bag(const BagLocation& bag, const std::string& defini
     }
     add_time(topic, (*message)->time);
   }
+  summary.displaced = source->displaced();
+  if (!summary.damage) add_differences(summary, bag.metadata);
   return summary;
 }
 

@@ -26,6 +26,7 @@ struct TopicSummary {
   std::int64_t first = 0;  ///< Nanoseconds by the recorder's clock.
   std::int64_t last = 0;
   std::uint64_t set_back = 0;  ///< How often the time of a message precedes that of the one before.
+  std::uint64_t not_of_calendar = 0;  ///< Messages with times before the year 2000.
   std::int64_t longest_gap = 0;
 
   /// Messages per second, or 0 if there are no two times.
@@ -37,7 +38,9 @@ struct BagSummary {
   std::string name;
   std::uint64_t files = 0;
   std::vector<TopicSummary> topics;
-  std::optional<Error> damage;  ///< The first damaged position; data after it are not counted.
+  std::uint64_t displaced = 0;       ///< Messages that SortedBag has sorted.
+  std::vector<std::string> remarks;  ///< How the files differ from the bag's description.
+  std::optional<Error> damage;       ///< The first damaged position; data after it are not counted.
 };
 
 /// Reads all messages of a bag. Errors: as open_bag().

@@ -14,7 +14,7 @@ constexpr const char* kStamp = "header.stamp";
 
 class WordSink : public FieldSink {
  public:
-  void take(const RosScalar& scalar) override {
+  void take(const RosScalar& scalar, FieldPlace /*place*/) override {
     if (!words.empty()) words += ",";
     words += to_string(scalar);
   }
@@ -23,7 +23,9 @@ class WordSink : public FieldSink {
 
 class TimeSink : public FieldSink {
  public:
-  void take(const RosScalar& scalar) override { numbers.push_back(scalar.number()); }
+  void take(const RosScalar& scalar, FieldPlace /*place*/) override {
+    numbers.push_back(scalar.number());
+  }
   std::vector<double> numbers;
 };
 
@@ -63,6 +65,7 @@ class UseCompiler {
     SOMATO_TRY_VOID(add_event());
     const bool has_stamp = description_->trials.clock == BagClock::kHeader;
     if (has_stamp && !use_.channels.empty()) SOMATO_TRY_VOID(add_stamp());
+    use_.type = type_;
     const bool is_used = !use_.channels.empty() || !use_.labels.empty() || use_.is_event;
     if (!is_used && use_.reason.empty()) use_.reason = "no channel or label mentions it";
     return std::move(use_);

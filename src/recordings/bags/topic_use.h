@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@ struct TopicUse {
     FieldReader reader;
   };
 
+  std::shared_ptr<const RosType> type;  ///< nullptr if nothing is read.
   std::vector<Channel> channels;
   std::vector<Label> labels;
   bool is_event = false;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 
 namespace somato {
 
@@ -26,5 +27,16 @@ inline double seconds_of(std::int64_t nanoseconds) {
   const std::int64_t whole = nanoseconds / kNanosecondsASecond;
   return static_cast<double>(whole) + static_cast<double>(nanoseconds % kNanosecondsASecond) / 1e9;
 }
+
+/// Whether a time since 1970 is one of the calendar, from the year 2000 on: clocks that were not
+/// set, and those of simulations, count from 1970 or from a start.
+inline constexpr bool is_of_calendar(std::int64_t nanoseconds) {
+  constexpr std::int64_t kYear2000 = 946'684'800 * kNanosecondsASecond;
+  return nanoseconds >= kYear2000;
+}
+
+/// A time since 1970 in words: "2023-11-14 22:13:20 UTC" for one of the calendar, "12.5 s" for
+/// another.
+std::string words_of_time(std::int64_t nanoseconds);
 
 }  // namespace somato

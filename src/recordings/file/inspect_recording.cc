@@ -92,7 +92,13 @@ class Inspection {
   Result<bool> step() {
     SOMATO_TRY(const std::optional<McapMessage> message, file_->next());
     if (!message) return false;
-    SOMATO_TRY(const Meaning meaning, meanings_.interpret(*message));
+    if (summary_.unfit) return true;
+    const Result<Meaning> interpreted = meanings_.interpret(*message);
+    if (!interpreted && meanings_.is_unfit()) {
+      summary_.unfit = interpreted.error();
+      return true;
+    }
+    SOMATO_TRY(const Meaning meaning, interpreted);
     if (meaning == Meaning::kBegin) labels_.add(meanings_.exploration().labels);
     if (meaning == Meaning::kFrame) see(meanings_.frames());
     if (meaning == Meaning::kEnd) end();

@@ -45,6 +45,7 @@ std::string later_json(ExplorationMessage begun, ExplorationMessage::Event event
 }  // namespace
 
 Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret(const McapMessage& message) {
+  unfit_ = false;
   Result<Meaning> meaning = interpret_any(message);
   const bool is_left_out = meaning && *meaning != Meaning::kNothing && this->is_left_out();
   if (is_left_out) *meaning = Meaning::kLeftOut;
@@ -210,28 +211,53 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_frames(
   return frames_.empty() ? Meaning::kNothing : Meaning::kFrame;
 }
 
-// Messages of other programs may lack values, such as the efforts of joints.
 Result<void> RecordingInterpreter::take_frame(Source& source, const McapMessage& message) {
-  const std::string& name = source.description.name;
+  if (foreign_) return take_foreign_frame(source, message);
   Result<void> read = source.reader.read(message.data, values_);
+  if (!read) return bad_frame(source, read.error());
+  SOMATO_TRY(InterpretedChannel * channel, channel_for(source, message));
+  return add_frame(source, *channel, message);
+}
+
+// Messages of other programs may lack values, such as the efforts of joints.
+Result<void> RecordingInterpreter::take_foreign_frame(Source& source, const McapMessage& message) {
+  const std::string& name = source.description.name;
+  ElementOrder& order = orders_.try_emplace(name, source.reader.order()).first->second;
+  const Result<bool> read = source.reader.read(message.data, order, values_);
   if (!read) {
-    return file_->bad(fmt::format("a frame of {}: {}", shown(name), read.error().what),
-                      read.error().advice);
+    const Result<void> decoded = source.reader.read(message.data, values_);
+    return decoded
+               ? unfit(fmt::format("the elements of {} differ: {}", shown(name), read.error().what))
+               : bad_frame(source, decoded.error());
   }
-  if (foreign_ && values_.empty()) return {};
-  if (foreign_ && !open_) {
+  if (values_.empty()) return {};
+  if (!open_) {
     exploration_ = {};
     exploration_.source = file_->path();
     exploration_.zero = static_cast<std::int64_t>(message.log_time);
     open_ = true;
   }
-  SOMATO_TRY(InterpretedChannel * channel, channel_for(source, message));
-  return add_frame(source, *channel, message);
+  const auto [known, is_new] = channel_by_name_.emplace(name, channels_.size());
+  if (is_new) SOMATO_TRY_VOID(open_foreign_channel(source, message, order));
+  source.channel = known->second;
+  return add_frame(source, channels_[known->second], message);
+}
+
+tl::unexpected<Error> RecordingInterpreter::bad_frame(const Source& source, const Error& error) {
+  return file_->bad(fmt::format("a frame of {}: {}", shown(source.description.name), error.what),
+                    error.advice);
+}
+
+tl::unexpected<Error> RecordingInterpreter::unfit(const std::string& what) {
+  unfit_ = foreign_;
+  return foreign_ ? file_->bad(what,
+                               fmt::format("import it: somato import bag {} -o OUT", file_->path()))
+                  : file_->bad(what);
 }
 
 Result<void> RecordingInterpreter::open_foreign_channel(const Source& source,
-                                                        const McapMessage& message) {
-  SOMATO_TRY(std::vector<std::string> names, source.reader.element_names(message.data));
+                                                        const McapMessage& message,
+                                                        const ElementOrder& order) {
   SOMATO_TRY(std::vector<std::size_t> shape, source.reader.shape(message.data));
   InterpretedChannel channel;
   channel.description = source.description;
@@ -241,7 +267,7 @@ Result<void> RecordingInterpreter::open_foreign_channel(const Source& source,
   }
   if (channel.description.shape.empty()) channel.description.shape = std::move(shape);
   if (channel.description.element_names.empty()) {
-    channel.description.element_names = std::move(names);
+    channel.description.element_names = order.names();
   }
   channels_.push_back(std::move(channel));
   return {};
@@ -250,9 +276,6 @@ Result<void> RecordingInterpreter::open_foreign_channel(const Source& source,
 Result<InterpretedChannel*> RecordingInterpreter::channel_for(Source& source,
                                                               const McapMessage& message) {
   const std::string& name = source.description.name;
-  if (foreign_ && channel_by_name_.emplace(name, channels_.size()).second) {
-    SOMATO_TRY_VOID(open_foreign_channel(source, message));
-  }
   const auto found = channel_by_name_.find(name);
   if (found == channel_by_name_.end()) {
     return file_->bad(
@@ -260,8 +283,10 @@ Result<InterpretedChannel*> RecordingInterpreter::channel_for(Source& source,
   }
   source.channel = found->second;
   InterpretedChannel& channel = channels_[found->second];
-  if (!channel.id && !foreign_) channel.description = source.description;
-  if (!channel.id) channel.id = message.channel_id;
+  if (!channel.id) {
+    channel.description = source.description;
+    channel.id = message.channel_id;
+  }
   if (*channel.id == message.channel_id) return &channel;
   return file_->bad(fmt::format("channel {} comes from two channels of the file", shown(name)));
 }
@@ -271,12 +296,12 @@ Result<void> RecordingInterpreter::add_frame(const Source& source, InterpretedCh
   const std::size_t elements = values_.size();
   if (elements == 0 || !fits(channel.description, elements) ||
       (channel.frames > 0 && elements != channel.elements)) {
-    return file_->bad(fmt::format("a frame of {} has {} elements, which is the wrong number",
-                                  shown(channel.description.name), elements));
+    return unfit(fmt::format("a frame of {} has {} elements, which is the wrong number",
+                             shown(channel.description.name), elements));
   }
   const std::int64_t time = static_cast<std::int64_t>(message.log_time) - exploration_.zero;
   if (time < channel.latest) {
-    return file_->bad(fmt::format("the times of {} decrease", shown(channel.description.name)));
+    return unfit(fmt::format("the times of {} decrease", shown(channel.description.name)));
   }
   channel.elements = elements;
   channel.latest = time;

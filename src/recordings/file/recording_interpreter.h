@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "recordings/explorations/element_order.h"
 #include "recordings/file/recording_layout.h"
 #include "recordings/mcap/mcap_reader.h"
 #include "recordings/ros/channel_reader.h"
@@ -59,6 +60,10 @@ class RecordingInterpreter {
   bool is_open() const { return open_ && !is_left_out(); }
   bool is_foreign() const { return foreign_; }
 
+  /// Whether the latest error is no damage, but a property of the messages of another program that
+  /// frames of a channel do not have: their elements or the order of their times.
+  bool is_unfit() const { return unfit_; }
+
   /// The begin message of the exploration that is open, or was open last, with the labels that it
   /// was given later.
   const ExplorationMessage& exploration() const { return exploration_; }
@@ -94,16 +99,23 @@ class RecordingInterpreter {
   Result<void> open_channels();
   Result<Meaning> interpret_frames(Stream& stream, const McapMessage& message);
   Result<void> take_frame(Source& source, const McapMessage& message);
+  Result<void> take_foreign_frame(Source& source, const McapMessage& message);
   Result<InterpretedChannel*> channel_for(Source& source, const McapMessage& message);
-  Result<void> open_foreign_channel(const Source& source, const McapMessage& message);
+  Result<void> open_foreign_channel(const Source& source, const McapMessage& message,
+                                    const ElementOrder& order);
   Result<void> add_frame(const Source& source, InterpretedChannel& channel,
                          const McapMessage& message);
+
+  tl::unexpected<Error> bad_frame(const Source& source, const Error& error);
+  tl::unexpected<Error> unfit(const std::string& what);
 
   const McapReader* file_;
   std::map<std::uint16_t, Stream> streams_;
   std::map<std::pair<std::uint16_t, std::string>, TopicType> topics_;
   std::map<std::string, std::size_t> channel_by_name_;
   std::vector<InterpretedChannel> channels_;
+  std::map<std::string, ElementOrder>
+      orders_;  // The orders of channels of other programs, by name.
   ExplorationMessage exploration_;
   std::string continue_json_;  // The messages that continue or end it, as they are written here.
   std::string end_json_;
@@ -114,6 +126,7 @@ class RecordingInterpreter {
   bool foreign_ = false;
   bool decided_ = false;  // Whether the file contains explorations.
   bool gap_ = false;
+  bool unfit_ = false;
 };
 
 }  // namespace somato

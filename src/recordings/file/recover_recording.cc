@@ -49,11 +49,12 @@ class Recovery {
     if (!message) return go_on(message.error());
     if (!*message) return false;
     const Result<Meaning> meaning = interpret(**message);
-    if (!meaning) {
+    const bool is_of_other_program = !meaning && meanings_.is_unfit();
+    if (!meaning && !is_of_other_program) {
       lose(meaning.error());
       return true;
     }
-    Result<void> written = write(*meaning, **message);
+    Result<void> written = write(is_of_other_program ? Meaning::kNothing : *meaning, **message);
     if (!written && written.error().kind == ErrorKind::kData) {
       lose(written.error());
       return true;

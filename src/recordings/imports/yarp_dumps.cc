@@ -7,13 +7,16 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "base/files/whole_file.h"
 #include "base/text/text.h"
+#include "recordings/explorations/element_order.h"
 #include "recordings/tables/files_below.h"
 #include "recordings/tables/name_pattern.h"
 
@@ -52,12 +55,19 @@ Result<DumpInfo> read_info(const std::filesystem::path& folder) {
   return info;
 }
 
+// Also one that is not finite or too large.
+bool is_numeral(std::string_view text) {
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  return std::from_chars(text.data(), end, number).ptr == end;
+}
+
 std::optional<double> number_of_dump(std::string_view text) {
   double number = 0.0;
   const char* end = text.data() + text.size();
   const auto [stop, status] = std::from_chars(text.data(), end, number);
-  const bool is_number = status == std::errc{} && stop == end && std::isfinite(number);
-  return is_number ? std::optional(number) : std::nullopt;
+  const bool is_finite = status == std::errc{} && stop == end && std::isfinite(number);
+  return is_finite ? std::optional(number) : std::nullopt;
 }
 
 // The words of a line; parentheses of lists separate them too.
@@ -73,13 +83,34 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
+// The number of numbers after the word `i`.
+std::size_t numbers_after(std::span<const std::string_view> words, std::size_t i) {
+  const auto begin = words.begin() + static_cast<std::ptrdiff_t>(i + 1);
+  const auto end = std::find_if_not(begin, words.end(), number_of_dump);
+  return static_cast<std::size_t>(end - begin);
+}
+
+// Whether the words are names, each with numbers after it, as in (shoulder 12.5) (hand 0.1 0.2).
+bool are_named_values(std::span<const std::string_view> words) {
+  for (std::size_t i = 0; i < words.size();) {
+    const std::size_t count = numbers_after(words, i);
+    if (is_numeral(words[i]) || count == 0) return false;
+    i += 1 + count;
+  }
+  return true;
+}
+
 // Reads the lines of a data.log.
 class DumpReader {
  public:
-  DumpReader(std::string_view text, std::string where, const DumpInfo& info)
-      : text_(text), where_(std::move(where)), before_values_(info.has_two_stamps ? 3 : 2) {}
+  DumpReader(std::string_view text, std::string where, const DumpInfo& info, ElementOrder& order)
+      : text_(text),
+        where_(std::move(where)),
+        before_values_(info.has_two_stamps ? 3 : 2),
+        order_(&order) {}
 
-  // The channel with times in seconds since 1970, or nothing if its first line contains text.
+  // The channel with times in seconds since 1970, or nothing if its first line contains text that
+  // does not name its values.
   Result<std::optional<Channel>> read(const std::string& name) {
     while (!text_.empty()) {
       const std::size_t end = std::min(text_.find('\n'), text_.size());
@@ -91,11 +122,8 @@ class DumpReader {
       if (is_text_) return std::optional<Channel>();
     }
     if (times_.empty()) return bad("there are no lines");
-    Channel channel{name,
-                    "",
-                    {},
-                    Matrix<float>(times_.size(), elements_, std::move(values_)),
-                    std::move(times_)};
+    Channel channel{name, "", is_named_ ? order_->names() : std::vector<std::string>(),
+                    Matrix<float>(times_.size(), elements_, std::move(values_)), std::move(times_)};
     return std::optional(std::move(channel));
   }
 
@@ -109,21 +137,55 @@ class DumpReader {
     if (!times_.empty() && *time < times_.back()) {
       return bad("the time stamp precedes that of the preceding line");
     }
-    const std::size_t elements = words.size() - before_values_;
-    if (!times_.empty() && elements != elements_) {
-      return bad(fmt::format("the line has {} values, the first one {}", elements, elements_));
-    }
-    elements_ = elements;
-    for (std::size_t i = before_values_; i < words.size(); ++i) {
-      const std::optional<double> value = number_of_dump(words[i]);
-      is_text_ = !value && times_.empty();
+    const std::span<const std::string_view> content = std::span(words).subspan(before_values_);
+    if (times_.empty()) {
+      is_named_ = are_named_values(content);
+      is_text_ = !is_named_ && !std::all_of(content.begin(), content.end(), number_of_dump);
       if (is_text_) return {};
-      if (!value || std::fabs(*value) > std::numeric_limits<float>::max()) {
-        return bad(fmt::format("{} is not a finite number", shown(words[i])));
-      }
-      values_.push_back(static_cast<float>(*value));
     }
+    SOMATO_TRY_VOID(is_named_ ? take_named(content) : take(content));
+    if (!times_.empty() && line_values_.size() != elements_) {
+      return bad(
+          fmt::format("the line has {} values, the first one {}", line_values_.size(), elements_));
+    }
+    elements_ = line_values_.size();
+    for (const double value : line_values_) values_.push_back(static_cast<float>(value));
     times_.push_back(*time);
+    return {};
+  }
+
+  Result<void> take(std::span<const std::string_view> content) {
+    line_values_.clear();
+    for (const std::string_view word : content) {
+      const std::optional<double> value = number_of_dump(word);
+      if (!value || std::fabs(*value) > std::numeric_limits<float>::max()) {
+        return bad(fmt::format("{} is not a finite number", shown(word)));
+      }
+      line_values_.push_back(*value);
+    }
+    return {};
+  }
+
+  Result<void> take_named(std::span<const std::string_view> content) {
+    if (!are_named_values(content)) return bad("the line has values without names");
+    std::vector<std::string_view> numbers;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < content.size();) {
+      const std::size_t count = numbers_after(content, i);
+      for (std::size_t j = 0; j < count; ++j) {
+        names.push_back(count == 1 ? std::string(content[i])
+                                   : fmt::format("{}[{}]", content[i], j));
+        numbers.push_back(content[i + 1 + j]);
+      }
+      i += 1 + count;
+    }
+    SOMATO_TRY_VOID(take(numbers));
+    const std::string key = fmt::format("{}", fmt::join(names, "\n"));
+    if (!order_->is_known(key)) {
+      const Result<void> learnt = order_->learn(key, names);
+      if (!learnt) return bad(learnt.error().what);
+    }
+    order_->place(line_values_);
     return {};
   }
 
@@ -138,6 +200,9 @@ class DumpReader {
   std::size_t line_ = 0;
   std::size_t elements_ = 0;
   bool is_text_ = false;
+  bool is_named_ = false;
+  ElementOrder* order_;  // The order of the channel in all explorations.
+  std::vector<double> line_values_;
   std::vector<float> values_;
   std::vector<double> times_;
 };
@@ -204,7 +269,8 @@ Result<std::vector<Dump>> find_dumps(const std::filesystem::path& folder, const 
               folder.string());
 }
 
-Result<std::optional<Channel>> read_dump(const Dump& dump, std::vector<std::string>& left_out) {
+Result<std::optional<Channel>> read_dump(const Dump& dump, ElementOrder& order,
+                                         std::vector<std::string>& left_out) {
   const std::string path = (dump.folder / kDataLog).string();
   SOMATO_TRY(const DumpInfo info, read_info(dump.folder));
   if (!info.is_bottle) {
@@ -213,7 +279,8 @@ Result<std::optional<Channel>> read_dump(const Dump& dump, std::vector<std::stri
   }
   SOMATO_TRY(const std::string bytes, read_whole(path));
   SOMATO_TRY(const std::string_view text, text_of(bytes, path));
-  SOMATO_TRY(std::optional<Channel> channel, DumpReader(text, path, info).read(dump.channel));
+  SOMATO_TRY(std::optional<Channel> channel,
+             DumpReader(text, path, info, order).read(dump.channel));
   if (!channel) left_out.push_back(dump.folder.string() + ": text");
   return channel;
 }
@@ -236,9 +303,11 @@ Result<YarpImport> import_yarp_dumps(const std::filesystem::path& folder, const 
   SOMATO_TRY(const std::vector<Dump> dumps, find_dumps(folder, files, pass_over_others));
   YarpImport import;
   std::vector<Exploration>& explorations = import.recording.explorations;
+  std::map<std::string, ElementOrder> orders;
   std::string latest;
   for (const Dump& dump : dumps) {
-    SOMATO_TRY(std::optional<Channel> channel, read_dump(dump, import.left_out));
+    SOMATO_TRY(std::optional<Channel> channel,
+               read_dump(dump, orders[dump.channel], import.left_out));
     if (!channel) continue;
     if (explorations.empty() || dump.exploration != latest) {
       explorations.push_back({dump.labels, (folder / dump.exploration).string(), {}});

@@ -1,5 +1,7 @@
 #include "recordings/ros/channel_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -9,16 +11,25 @@ namespace {
 class Numbers : public FieldSink {
  public:
   explicit Numbers(std::vector<double>& values) : values_(&values) {}
-  void take(const RosScalar& scalar) override { values_->push_back(scalar.number()); }
+  void take(const RosScalar& scalar, FieldPlace /*place*/) override {
+    values_->push_back(scalar.number());
+  }
 
  private:
   std::vector<double>* values_;
 };
 
-class Texts : public FieldSink {
+class PlacedNumbers : public FieldSink {
  public:
-  void take(const RosScalar& scalar) override { texts.emplace_back(scalar.text); }
-  std::vector<std::string> texts;
+  PlacedNumbers(std::vector<double>& values, std::string& key) : values_(&values), key_(&key) {}
+  void take(const RosScalar& scalar, FieldPlace place) override {
+    values_->push_back(scalar.number());
+    add_to_key(place, *key_);
+  }
+
+ private:
+  std::vector<double>* values_;
+  std::string* key_;
 };
 
 bool has_layout(const RosType& type) {
@@ -46,9 +57,8 @@ Result<ChannelReader> ChannelReader::compile(const std::shared_ptr<const RosType
     SOMATO_TRY(FieldReader values, FieldReader::compile(type, path));
     reader.values_.push_back(std::move(values));
   }
-  if (!names.empty()) {
-    SOMATO_TRY(reader.names_, FieldReader::compile(type, names, FieldKind::kTexts));
-  }
+  SOMATO_TRY_VOID(reader.take_names(type, names));
+  SOMATO_TRY_VOID(reader.check_selection());
   if (has_layout(*type) && paths == std::vector<std::string>{"data"}) {
     SOMATO_TRY(reader.lengths_, FieldReader::compile(type, "layout.dim[*].size"));
     SOMATO_TRY(reader.offset_, FieldReader::compile(type, "layout.data_offset"));
@@ -56,10 +66,62 @@ Result<ChannelReader> ChannelReader::compile(const std::shared_ptr<const RosType
   return reader;
 }
 
+Result<void> ChannelReader::take_names(const std::shared_ptr<const RosType>& type,
+                                       const std::string& names) {
+  const std::string paths = names.empty() ? usual_names(*type, values_.front()) : names;
+  if (paths.empty()) return {};
+  SOMATO_TRY(names_, ElementNames::compile(type, paths));
+  return {};
+}
+
+Result<void> ChannelReader::check_selection() const {
+  const auto selects = [](const FieldReader& path) { return !path.selected().empty(); };
+  const auto count = std::count_if(values_.begin(), values_.end(), selects);
+  if (count == 0) return {};
+  if (static_cast<std::size_t>(count) < values_.size()) {
+    return fail(ErrorKind::kUsage, "only some of the paths select elements by name", {},
+                "select those of all paths by name, or of none");
+  }
+  if (names_) return {};
+  return fail(ErrorKind::kUsage, "the messages have no names for these elements",
+              values_.front().path(),
+              "select elements by number, or state the field with their names as 'names' of the "
+              "channel in a description");
+}
+
+ElementOrder ChannelReader::order() const {
+  std::vector<std::string> selected;
+  for (const FieldReader& path : values_) {
+    for (const std::string& name : path.selected()) {
+      selected.push_back(values_.size() > 1 ? element_of_path(path, name) : name);
+    }
+  }
+  return ElementOrder(std::move(selected));
+}
+
 Result<void> ChannelReader::read(std::string_view message, std::vector<double>& values) const {
   values.clear();
   Numbers sink(values);
   for (const FieldReader& reader : values_) SOMATO_TRY_VOID(reader.read(message, sink));
+  return leave_out_before_offset(message, values);
+}
+
+// With a key of the places of the values and their names, if these can vary.
+Result<void> ChannelReader::read(std::string_view message, std::vector<double>& values,
+                                 std::string& key) const {
+  values.clear();
+  Numbers numbers(values);
+  PlacedNumbers placed(values, key);
+  for (const FieldReader& reader : values_) {
+    const bool is_simple = !names_ && !reader.has_varying_places();
+    SOMATO_TRY_VOID(reader.read(message, is_simple ? static_cast<FieldSink&>(numbers) : placed));
+  }
+  if (names_) SOMATO_TRY_VOID(names_->add_to_key(message, key));
+  return leave_out_before_offset(message, values);
+}
+
+Result<void> ChannelReader::leave_out_before_offset(std::string_view message,
+                                                    std::vector<double>& values) const {
   if (!offset_) return {};
   SOMATO_TRY(const std::vector<double> offset, numbers_at(*offset_, message));
   const auto skipped = std::min(static_cast<std::size_t>(offset.front()), values.size());
@@ -67,17 +129,40 @@ Result<void> ChannelReader::read(std::string_view message, std::vector<double>& 
   return {};
 }
 
+Result<bool> ChannelReader::read(std::string_view message, ElementOrder& order,
+                                 std::vector<double>& values) const {
+  std::string key;
+  SOMATO_TRY_VOID(read(message, values, key));
+  if (values.empty()) return true;
+  if (!order.is_known(key)) SOMATO_TRY_VOID(learn(message, key, order));
+  return order.place(values);
+}
+
+Result<void> ChannelReader::learn(std::string_view message, const std::string& key,
+                                  ElementOrder& order) const {
+  SOMATO_TRY(const std::vector<std::string> names, element_names(message));
+  Result<void> learnt = order.learn(key, names);
+  if (learnt || !names_ || values_.size() > 1 || order.names().empty()) return learnt;
+  if (learnt.error().advice.empty()) {
+    learnt.error().advice =
+        fmt::format("select the elements by name, so that other messages are left out: {}[{}]",
+                    values_.front().path_to_elements(), fmt::join(order.names(), ","));
+  }
+  return learnt;
+}
+
 Result<std::vector<std::string>> ChannelReader::element_names(std::string_view message) const {
-  if (lengths_) return std::vector<std::string>();
-  std::vector<std::string> places;
+  std::vector<std::string> names;
+  if (lengths_) return names;
+  if (names_) {
+    SOMATO_TRY(names, names_->of(values_, message));
+  }
+  if (!names.empty()) return names;
   for (const FieldReader& reader : values_) {
     SOMATO_TRY(std::vector<std::string> more, reader.names(message));
-    places.insert(places.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
+    names.insert(names.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
   }
-  if (!names_) return places;
-  Texts sink;
-  SOMATO_TRY_VOID(names_->read(message, sink));
-  return sink.texts.size() == places.size() ? std::move(sink.texts) : std::vector<std::string>();
+  return names;
 }
 
 Result<std::vector<std::size_t>> ChannelReader::shape(std::string_view message) const {

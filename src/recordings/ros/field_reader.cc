@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
+#include <limits>
 #include <utility>
 
 #include "base/text/text.h"
@@ -15,7 +15,16 @@ namespace somato {
 namespace {
 
 constexpr std::string_view kAdviceOnPaths =
-    "write field names with dots between, and elements in brackets: sensors[*].taxels[0..3].z";
+    "write field names with dots between, and elements in brackets: sensors[*].taxels[0..3].z, "
+    "sensors[*:32].z or, by their names, position[shoulder,elbow]";
+
+constexpr std::size_t kMostPadded = std::size_t{1} << 20;  // Above the elements of any skin.
+
+// The number of an element that a message lacks.
+constexpr RosScalar kMissingNumber{
+    RosPrimitive::kFloat64,
+    std::bit_cast<std::uint64_t>(std::numeric_limits<double>::quiet_NaN()),
+    {}};
 
 bool is_of_kind(RosPrimitive type, FieldKind kind) {
   return is_text(type) == (kind == FieldKind::kTexts);
@@ -40,34 +49,17 @@ std::vector<std::string> names_of(const RosStructure& structure) {
   return names;
 }
 
-bool take_index(std::string_view& text, std::size_t& index) {
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), index);
-  text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
-  return status == std::errc{};
-}
-
-// The part of a path up to the next dot outside brackets, which is cut off with the dot. A dot at
-// the end stays, as the start of a part without a name.
-std::string_view take_part(std::string_view& rest) {
-  std::size_t end = 0;
-  bool is_inside = false;
-  for (; end < rest.size() && (is_inside || rest[end] != '.'); ++end) {
-    is_inside = rest[end] == '[' || (is_inside && rest[end] != ']');
+// Whether an element of the field contains sequences, directly or in its structures.
+bool contains_sequences(const RosType& type, const RosField& field) {
+  if (!field.structure) return false;
+  std::vector<bool> contains(*field.structure + 1, false);
+  for (std::size_t i = 0; i <= *field.structure; ++i) {
+    for (const RosField& inner : type.structures[i].fields) {
+      const bool is_sequence = inner.kind == RosField::Kind::kSequence;
+      contains[i] = contains[i] || is_sequence || (inner.structure && contains[*inner.structure]);
+    }
   }
-  const std::string_view part = rest.substr(0, end);
-  rest.remove_prefix(end + 1 < rest.size() ? end + 1 : end);
-  return part;
-}
-
-// "*", "2" or "2..5".
-bool parse_elements(std::string_view text, std::size_t& first, std::size_t& last) {
-  if (text == "*") return true;
-  if (!take_index(text, first)) return false;
-  last = first;
-  if (text.empty()) return true;
-  if (!text.starts_with("..")) return false;
-  text.remove_prefix(2);
-  return take_index(text, last) && text.empty() && first <= last;
+  return contains[*field.structure];
 }
 
 template <typename Signed>
@@ -75,9 +67,10 @@ double signed_number(std::uint64_t bits) {
   return static_cast<double>(static_cast<Signed>(bits));
 }
 
-class IgnoredValues : public FieldSink {
+class PlacesInWords : public FieldSink {
  public:
-  void take(const RosScalar&) override {}
+  void take(const RosScalar&, FieldPlace place) override { places.push_back(to_string(place)); }
+  std::vector<std::string> places;
 };
 
 void add_field_paths(const RosType& type, std::size_t structure, const std::string& before,
@@ -136,18 +129,25 @@ std::string to_string(const RosScalar& scalar) {
   return fmt::format("{}", scalar.number());
 }
 
+std::string to_string(FieldPlace place) {
+  std::string text;
+  for (const FieldStep& step : place) {
+    text += (text.empty() ? "" : ".") + step.field->name;
+    if (step.field->kind != RosField::Kind::kOne) text += fmt::format("[{}]", step.element);
+  }
+  return text;
+}
+
 // One reading of a message along the steps of a path.
 class FieldReader::Walk {
  public:
-  Walk(const FieldReader& reader, std::string_view message, FieldSink& sink,
-       std::vector<std::string>* names)
+  Walk(const FieldReader& reader, std::string_view message, FieldSink& sink)
       : type_(reader.type_.get()),
         steps_(&reader.steps_),
         kind_(reader.kind_),
         message_(message),
         from_(message),
-        sink_(&sink),
-        names_(names) {}
+        sink_(&sink) {}
 
   Result<void> run() {
     follow(type_->structures.size() - 1, 0);
@@ -170,32 +170,57 @@ class FieldReader::Walk {
   void select(const RosField& field, const Step& step, std::size_t depth) {
     const std::size_t count = elements_of(field);
     if (failure_) return;
-    if (step.last != kUnbounded && step.last >= count) {
+    if (step.elements.last != kUnbounded && step.elements.last >= count &&
+        !step.elements.is_padded) {
       return fail_at(field, fmt::format("has {} elements, fewer than the path demands", count));
     }
-    const std::size_t length = trail_.size();
     for (std::size_t i = 0; i < count && !failure_; ++i) {
-      if (i < step.first || i > step.last) {
+      if (i < step.elements.first || i > step.elements.last) {
         pass_element(field);
         continue;
       }
-      enter(field, i, length);
+      place_.push_back({&field, i});
       if (depth + 1 < steps_->size()) {
         follow(*field.structure, depth + 1);
       } else {
         take_element(field);
       }
-      trail_.resize(length);
+      place_.pop_back();
+    }
+    if (step.elements.is_padded && !failure_) pad(field, count, step.elements.last, depth);
+  }
+
+  // The missing numbers of the elements from `first` to `last`.
+  void pad(const RosField& field, std::size_t first, std::size_t last, std::size_t depth) {
+    for (std::size_t i = first; i <= last; ++i) {
+      place_.push_back({&field, i});
+      if (!field.structure) {
+        sink_->take(kMissingNumber, place_);
+      } else if (depth + 1 < steps_->size()) {
+        const Step& next = (*steps_)[depth + 1];
+        const RosField& inner = type_->structures[*field.structure].fields[next.field];
+        const std::size_t end = inner.kind == RosField::Kind::kOne ? 1 : inner.length;
+        pad(inner, next.elements.first, std::min(end - 1, next.elements.last), depth + 1);
+      } else {
+        pad_structure(*field.structure, depth);
+      }
+      place_.pop_back();
+    }
+  }
+
+  void pad_structure(std::size_t structure, std::size_t depth) {
+    for (const RosField& inner : type_->structures[structure].fields) {
+      if (!inner.structure && !is_of_kind(inner.primitive, kind_)) continue;
+      pad(inner, 0, (inner.kind == RosField::Kind::kOne ? 1 : inner.length) - 1, depth);
     }
   }
 
   void take(const RosField& field) {
     const std::size_t count = elements_of(field);
-    const std::size_t length = trail_.size();
     for (std::size_t i = 0; i < count && !failure_; ++i) {
-      enter(field, i, length);
+      place_.push_back({&field, i});
       take_element(field);
-      trail_.resize(length);
+      place_.pop_back();
     }
   }
 
@@ -210,8 +235,7 @@ class FieldReader::Walk {
       scalar.bits = from_.bits(size_of(field.primitive));
     }
     if (!from_.fits()) return fail_at(field, "does not fit into the message");
-    sink_->take(scalar);
-    if (names_) names_->push_back(trail_);
+    sink_->take(scalar, place_);
   }
 
   void take_structure(std::size_t structure) {
@@ -265,12 +289,6 @@ class FieldReader::Walk {
     return failure_ ? 0 : count;
   }
 
-  void enter(const RosField& field, std::size_t element, std::size_t length) {
-    if (!names_) return;
-    trail_ += (length > 0 ? "." : "") + field.name;
-    if (field.kind != RosField::Kind::kOne) trail_ += fmt::format("[{}]", element);
-  }
-
   void fail_at(const RosField& field, const std::string& what) {
     if (failure_) return;
     failure_ = Error{ErrorKind::kData,
@@ -286,14 +304,13 @@ class FieldReader::Walk {
   std::string_view message_;
   CdrReader from_;
   FieldSink* sink_;
-  std::vector<std::string>* names_;
-  std::string trail_;
+  std::vector<FieldStep> place_;
   std::optional<Error> failure_;
 };
 
 Result<FieldReader::Step> FieldReader::parse_step(const RosStructure& structure,
-                                                  std::string_view& rest) const {
-  const std::string_view part = take_part(rest);
+                                                  std::string_view& rest) {
+  const std::string_view part = take_path_part(rest);
   const std::size_t bracket = std::min(part.find('['), part.size());
   const std::string_view name = part.substr(0, bracket);
   const auto found = std::find_if(structure.fields.begin(), structure.fields.end(),
@@ -301,21 +318,38 @@ Result<FieldReader::Step> FieldReader::parse_step(const RosStructure& structure,
   if (found == structure.fields.end()) {
     return fail(unknown_name("field", std::string(name), path_, names_of(structure)));
   }
-  Step step{static_cast<std::size_t>(found - structure.fields.begin())};
+  Step step{static_cast<std::size_t>(found - structure.fields.begin()), {}};
   if (bracket == part.size()) return step;
-  const std::string_view elements = part.substr(bracket + 1);
-  if (!elements.ends_with(']') ||
-      !parse_elements(elements.substr(0, elements.size() - 1), step.first, step.last)) {
-    return fail(ErrorKind::kUsage, fmt::format("{} selects no elements", shown(part)), path_,
-                std::string(kAdviceOnPaths));
-  }
-  const bool is_beyond = step.last != kUnbounded && step.last >= found->length;
+  SOMATO_TRY_VOID(parse_brackets(part, bracket, rest.empty(), step));
+  const bool is_beyond = step.elements.last != kUnbounded && step.elements.last >= found->length;
   if (found->kind != RosField::Kind::kOne && !is_beyond) return step;
   return fail(ErrorKind::kUsage,
               is_beyond && found->kind != RosField::Kind::kOne
                   ? fmt::format("{} has at most {} elements, from 0", shown(name), found->length)
                   : fmt::format("{} is a single value, without elements", shown(name)),
               path_);
+}
+
+// `part` is "sensors[0..3]", with the bracket there.
+Result<void> FieldReader::parse_brackets(std::string_view part, std::size_t bracket, bool is_last,
+                                         Step& step) {
+  const auto wrong = [&](std::string what) {
+    return fail(ErrorKind::kUsage, std::move(what), path_, std::string(kAdviceOnPaths));
+  };
+  std::optional<PathElements> elements;
+  if (part.ends_with(']')) {
+    elements = parse_path_elements(part.substr(bracket + 1, part.size() - bracket - 2));
+  }
+  const bool is_for_numbers = elements && (elements->is_padded || !elements->names.empty());
+  if (!elements || (is_for_numbers && kind_ == FieldKind::kTexts)) {
+    return wrong(fmt::format("{} selects no elements", shown(part)));
+  }
+  if (!elements->names.empty() && !is_last) {
+    return wrong("names select elements only in the last brackets of a path");
+  }
+  step.elements = std::move(*elements);
+  if (is_last) last_bracket_ = path_.size() - part.size() + bracket;
+  return {};
 }
 
 Result<void> FieldReader::check_target(const RosField& target) const {
@@ -339,6 +373,7 @@ Result<FieldReader> FieldReader::compile(std::shared_ptr<const RosType> type, st
     const RosField& field = structure->fields[step.field];
     if (rest.empty()) {
       SOMATO_TRY_VOID(reader.check_target(field));
+      SOMATO_TRY_VOID(reader.check_padding());
       return reader;
     }
     if (!field.structure) {
@@ -349,17 +384,62 @@ Result<FieldReader> FieldReader::compile(std::shared_ptr<const RosType> type, st
   }
 }
 
+const RosField& FieldReader::field_at(std::size_t depth) const {
+  const RosStructure* structure = &type_->root();
+  for (std::size_t i = 0; i < depth; ++i) {
+    structure = &type_->structures[*structure->fields[steps_[i].field].structure];
+  }
+  return structure->fields[steps_[depth].field];
+}
+
+bool FieldReader::has_fixed_length(std::size_t depth) const {
+  return field_at(depth).kind != RosField::Kind::kSequence ||
+         steps_[depth].elements.last != kUnbounded;
+}
+
+// The content of an element that a message lacks must be known from the type, and be of a size
+// that a channel can have.
+Result<void> FieldReader::check_padding() const {
+  std::size_t padded = 0;
+  while (padded < depth() && !steps_[padded].elements.is_padded) ++padded;
+  if (padded == depth()) return {};
+  bool is_fixed = !contains_sequences(*type_, field_at(depth() - 1));
+  std::size_t elements = 1;
+  for (std::size_t i = padded; i < depth(); ++i) {
+    is_fixed = is_fixed && has_fixed_length(i);
+    const PathElements& selected = steps_[i].elements;
+    const std::size_t last = std::min(selected.last, field_at(i).length - 1);
+    elements = last < kMostPadded ? elements * (last - selected.first + 1) : kMostPadded + 1;
+    if (elements > kMostPadded) break;
+  }
+  if (is_fixed && elements <= kMostPadded) return {};
+  return fail(ErrorKind::kUsage,
+              is_fixed ? fmt::format("the path selects more than {} elements", kMostPadded)
+                       : "elements that a message lacks have no fixed number of values",
+              path_, "give each sequence a number of elements, such as [*:4]");
+}
+
+bool FieldReader::has_all_elements() const {
+  return std::all_of(steps_.begin(), steps_.end(), [](const Step& step) {
+    return step.elements.first == 0 && step.elements.last == kUnbounded;
+  });
+}
+
+bool FieldReader::has_varying_places() const {
+  std::size_t sequences = 0;
+  for (std::size_t i = 0; i < depth(); ++i) sequences += has_fixed_length(i) ? 0U : 1U;
+  return sequences > 1 || contains_sequences(*type_, field_at(depth() - 1));
+}
+
 Result<void> FieldReader::read(std::string_view message, FieldSink& sink) const {
   SOMATO_TRY_VOID(check_cdr_encapsulation(message));
-  return Walk(*this, message, sink, nullptr).run();
+  return Walk(*this, message, sink).run();
 }
 
 Result<std::vector<std::string>> FieldReader::names(std::string_view message) const {
-  SOMATO_TRY_VOID(check_cdr_encapsulation(message));
-  std::vector<std::string> names;
-  IgnoredValues sink;
-  SOMATO_TRY_VOID(Walk(*this, message, sink, &names).run());
-  return names;
+  PlacesInWords sink;
+  SOMATO_TRY_VOID(read(message, sink));
+  return std::move(sink.places);
 }
 
 std::vector<std::string> field_paths(const RosType& type, FieldKind kind, std::size_t most) {

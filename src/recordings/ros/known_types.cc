@@ -30,10 +30,11 @@ constexpr KnownChannel kPoseStamped[] = {{"/position", "pose.position", "m"},
 constexpr KnownChannel kVector3Stamped[] = {{"", "vector", ""}};
 
 // ros2_control (control_msgs): the values that its interfaces name.
-constexpr KnownChannel kDynamicJointState[] = {{"", "interface_values[*].values", ""}};
+constexpr KnownChannel kDynamicJointState[] = {
+    {"", "interface_values[*].values", "", "joint_names+interface_values[*].interface_names"}};
 
 // tactile_msgs of Bielefeld University: raw values of each sensor array.
-constexpr KnownChannel kTactileState[] = {{"", "sensors[*].values", ""}};
+constexpr KnownChannel kTactileState[] = {{"", "sensors[*].values", "", "sensors[*].name"}};
 
 // XELA uSkin (xela_server_ros2): displacements in counts, and forces of calibrated sensors.
 constexpr KnownChannel kSensStream[] = {{"", "sensors[*].taxels", "counts"},

@@ -7,12 +7,15 @@
 #include "base/text/text.h"
 #include "recordings/ros/definition.h"
 #include "recordings/ros/field_reader.h"
+#include "recordings/ros/json_messages.h"
 #include "recordings/ros/known_types.h"
 
 namespace somato {
 namespace {
 
 constexpr std::size_t kMostPathsShown = 6;
+constexpr const char* kJson = "json";
+constexpr const char* kTypeWithoutFields = "std_msgs/Empty";
 
 std::string reason_without_channels(const TopicEncoding& encoding, const RosType& type) {
   std::vector<std::string> paths = field_paths(type, FieldKind::kNumbers, kMostPathsShown + 1);
@@ -28,17 +31,32 @@ std::string reason_without_channels(const TopicEncoding& encoding, const RosType
 }  // namespace
 
 Result<std::shared_ptr<const RosType>> compile_topic_type(const TopicEncoding& encoding) {
-  if (encoding.message_encoding != "cdr") {
-    return fail(ErrorKind::kData, fmt::format("its messages are in the encoding {}, not in CDR",
-                                              shown(encoding.message_encoding)));
+  const bool is_json = encoding.message_encoding == kJson;
+  if (encoding.message_encoding != "cdr" && !is_json) {
+    return fail(ErrorKind::kData,
+                fmt::format("its messages are in the encoding {}, not in CDR or JSON",
+                            shown(encoding.message_encoding)));
   }
-  if (encoding.definition.empty() && encoding.definition_encoding.empty()) {
+  if (encoding.definition.empty() && is_json) {
+    return fail(ErrorKind::kData, "its messages in JSON have no JSON Schema");
+  }
+  if (encoding.definition.empty() && ros_type_name(encoding.type) != kTypeWithoutFields) {
     return fail(ErrorKind::kData, fmt::format("the file holds no definition of {}", encoding.type),
                 {}, "give its .msg files with --definitions");
   }
-  SOMATO_TRY(RosType type, compile_ros_definition(encoding.type, encoding.definition_encoding,
-                                                  encoding.definition));
-  return std::make_shared<const RosType>(std::move(type));
+  Result<RosType> type = is_json
+                             ? compile_json_schema(encoding.type, encoding.definition)
+                             : compile_ros_definition(encoding.type, encoding.definition_encoding,
+                                                      encoding.definition);
+  if (!type) return fail(std::move(type.error()));
+  return std::make_shared<const RosType>(std::move(*type));
+}
+
+Result<std::string_view> message_in_cdr(const TopicEncoding& encoding, const RosType& type,
+                                        std::string_view message, std::string& buffer) {
+  if (encoding.message_encoding != kJson) return message;
+  SOMATO_TRY(buffer, cdr_of_json(type, message));
+  return std::string_view(buffer);
 }
 
 TopicType topic_type(const TopicEncoding& encoding) {

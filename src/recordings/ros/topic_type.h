@@ -14,8 +14,8 @@ namespace somato {
 /// The encoding of the messages of a topic.
 struct TopicEncoding {
   std::string type;                 ///< Such as "sensor_msgs/msg/JointState".
-  std::string message_encoding;     ///< "cdr" or another.
-  std::string definition_encoding;  ///< "ros2msg" or another.
+  std::string message_encoding;     ///< "cdr", "json" or another.
+  std::string definition_encoding;  ///< "ros2msg", "jsonschema" or another.
   std::string definition;
 };
 
@@ -33,8 +33,14 @@ struct TopicType {
   std::string reason;                   ///< Why there are no channels; empty if there are.
 };
 
-/// Errors (kData): messages that are not in CDR; those of compile_ros_definition().
+/// Errors (kData): messages that are neither in CDR nor in JSON; no definition; those of
+/// compile_ros_definition() and compile_json_schema().
 Result<std::shared_ptr<const RosType>> compile_topic_type(const TopicEncoding& encoding);
+
+/// A message of a topic in CDR of its type: itself, or one in JSON written to `buffer`. Errors: as
+/// cdr_of_json().
+Result<std::string_view> message_in_cdr(const TopicEncoding& encoding, const RosType& type,
+                                        std::string_view message, std::string& buffer);
 
 /// The channels of a topic by the table of known types, or why there are none.
 TopicType topic_type(const TopicEncoding& encoding);

@@ -4,8 +4,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
 
+#include "base/archives/little_endian.h"
 #include "hardware/topics/topic_server.h"
+#include "recordings/ros/cdr.h"
 
 namespace somato::topics {
 namespace {
@@ -73,6 +79,52 @@ TEST_F(TopicBodyThread, EveryMessageOfTheFirstTopicIsAFrameWithItsTime) {
   EXPECT_EQ(body->times().gaps, 1U);
   EXPECT_NEAR(body->times().longest, 0.1, 1e-9);
   EXPECT_NEAR(body->times().usual, 0.01, 1e-9);
+}
+
+// A message of joints with these names, each at the position of its letter in the alphabet.
+std::string joints_message(std::uint64_t time, const std::vector<std::string>& names) {
+  std::string bytes(1, '\1');
+  append_little_endian(bytes, std::uint32_t{0});
+  append_little_endian(bytes, time);
+  CdrWriter writer;
+  writer.number(static_cast<std::uint32_t>(names.size()));
+  std::vector<double> positions;
+  for (const std::string& name : names) {
+    writer.text(name);
+    positions.push_back(name[0] - 'a');
+  }
+  writer.numbers(std::span<const double>(positions));
+  return bytes + writer.bytes();
+}
+
+TEST(NamedTopicsThread, ValuesArePlacedByNameAndOtherMessagesCounted) {
+  TopicServer server;
+  server.advertise(1, "/joints", "string[] name\\nfloat64[] position");
+  const auto client = std::move(*TopicClient::start(server.address()));
+  std::thread sender([&] {
+    while (server.received().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    server.send_bytes(joints_message(0, {"g"}));
+    server.send_bytes(joints_message(0, {"b", "a"}));
+  });
+  const auto started =
+      TopicBody::start("robot", *client, {{"arm", "rad", "/joints", {"position[b,a]"}, {}}}, 60.0);
+  sender.join();
+  ASSERT_TRUE(started) << to_string(started.error());
+  TopicBody& body = **started;
+  EXPECT_EQ(body.description().sensors[0].element_names, (std::vector<std::string>{"b", "a"}));
+  body.begin();
+  server.send_bytes(joints_message(1000 * kMillisecond, {"a", "b", "c"}));
+  server.send_bytes(joints_message(1010 * kMillisecond, {"g"}));
+  server.send_bytes(joints_message(1020 * kMillisecond, {"b", "a"}));
+  for (const double time : {0.0, 0.02}) {
+    const auto stepped = body.step(0.01);
+    ASSERT_TRUE(stepped) << to_string(stepped.error());
+    EXPECT_NEAR(body.state().time, time, 1e-12);
+    EXPECT_EQ(body.state().readings[0].row(0)[0], 1.0F);
+    EXPECT_EQ(body.state().readings[0].row(0)[1], 0.0F);
+  }
+  EXPECT_EQ(body.times().left_out, 1U);
+  EXPECT_EQ(body.times().messages, 2U);
 }
 
 TEST_F(TopicBodyThread, AClockThatGoesBackIsAnError) {

@@ -16,20 +16,28 @@ Result<BagImport> parsed(const std::string& toml) {
 
 TEST(BagDescription, FlagsDescribeChannelsAndLabels) {
   const BagChannel channel =
-      parse_bag_channel("touch:counts=/xServTopic:sensors[*].taxels[*].z+last").value();
+      parse_bag_channels("touch:counts=/xServTopic:sensors[*].taxels[*].z+last").value().front();
   EXPECT_EQ(channel.name, "touch");
   EXPECT_EQ(channel.unit, "counts");
   EXPECT_EQ(channel.topic, "/xServTopic");
   EXPECT_EQ(channel.fields, (std::vector<std::string>{"sensors[*].taxels[*].z", "last"}));
-  EXPECT_EQ(parse_bag_channel("a=/b:c").value().unit, "");
+  EXPECT_EQ(parse_bag_channels("a=/b:c").value().front().unit, "");
   EXPECT_EQ(parse_bag_label("object=cup").value().value, "cup");
   EXPECT_EQ(parse_bag_label("object=/events:data").value().topic, "/events");
   EXPECT_EQ(parse_bag_label("object=/events:data").value().field, "data");
   for (const std::string text : {"touch", "=/a:b", "touch=", "touch=/a", "touch=/a:"}) {
-    EXPECT_FALSE(parse_bag_channel(text)) << text;
+    EXPECT_FALSE(parse_bag_channels(text)) << text;
   }
   EXPECT_FALSE(parse_bag_label("object"));
   EXPECT_FALSE(parse_bag_label("object="));
+}
+
+TEST(BagDescription, CommasAndPlusSignsInBracketsBelongToNames) {
+  const auto channels =
+      parse_bag_channels("arm:rad=/j:position[a,b+c]+effort[a,b+c],skin=/s:x[*:4]").value();
+  ASSERT_EQ(channels.size(), 2U);
+  EXPECT_EQ(channels[0].fields, (std::vector<std::string>{"position[a,b+c]", "effort[a,b+c]"}));
+  EXPECT_EQ(channels[1].fields, (std::vector<std::string>{"x[*:4]"}));
 }
 
 TEST(BagDescription, TablesDescribeTheSame) {

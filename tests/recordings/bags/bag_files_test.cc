@@ -1,5 +1,6 @@
 #include "recordings/bags/bag_files.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -61,6 +62,26 @@ TEST(BagFiles, WithoutMetadataEachFileIsABag) {
   EXPECT_EQ(bags[1].name, "b/cup_2.mcap");
   EXPECT_EQ(bags[2].name, "b/cup_10.mcap");
   EXPECT_EQ(find_bags(folder.file("b/cup_2.mcap")).value()[0].name, "cup_2.mcap");
+}
+
+TEST(BagFiles, PartsOfABagWithoutAUsableDescriptionAreInTheOrderOfTheirTimes) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.file("run"));
+  for (const int part : {0, 1, 2}) {
+    MadeBag made(folder.file(fmt::format("run/run_{}.mcap", part)));
+    const auto topic = made.topic("/x", "a/msg/X", "float64[] x\n");
+    made.add(topic, 100 - part, numbers_message({1.0})).finish();
+  }
+  for (const bool has_metadata : {false, true}) {
+    if (has_metadata) (void)folder.with("run/metadata.yaml", "version: 9\n");
+    const auto bags = find_bags(folder.file("run")).value();
+    ASSERT_EQ(bags.size(), 1U);
+    EXPECT_EQ(bags[0].name, "run");
+    ASSERT_EQ(bags[0].files.size(), 3U);
+    EXPECT_EQ(bags[0].files[0], folder.file("run/run_2.mcap"));
+    EXPECT_EQ(bags[0].files[2], folder.file("run/run_0.mcap"));
+    EXPECT_EQ(bags[0].remarks.size(), 1U);
+  }
 }
 
 TEST(BagFiles, FoldersThatAreNoBagsAreRefused) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -204,6 +206,131 @@ TEST_F(BagImportTest, FramesOfAnotherLengthAreRefused) {
   const auto x = made.topic("/x", "a/msg/X", "float64[] x\n");
   made.add(x, 0, numbers_message({1, 2})).add(x, 10, numbers_message({1})).finish();
   EXPECT_NE(imported(path_, description_).refusal().find("has 1 elements, the first one 2"),
+            std::string::npos);
+}
+
+// Messages of /joints, each of the joints with these names; the position of a joint is that of its
+// letter in the alphabet plus the number of the message / 100.
+class NamedJointsTest : public testing::Test {
+ protected:
+  struct Sent {
+    std::int64_t time;  // ms
+    std::vector<std::string> names;
+  };
+
+  void make(const std::string& path, const std::vector<Sent>& sent) {
+    MadeBag made(path);
+    const auto joints =
+        made.topic("/joints", "sensor_msgs/msg/JointState", joint_state_schema().data);
+    for (std::size_t i = 0; i < sent.size(); ++i) {
+      std::vector<double> positions;
+      for (const std::string& name : sent[i].names) {
+        positions.push_back(name[0] - 'a' + 0.01 * static_cast<double>(i));
+      }
+      made.add(joints, sent[i].time, joint_state_message(0, sent[i].names, positions));
+    }
+    made.finish();
+  }
+
+  Imported of(const std::vector<Sent>& sent, const std::string& channels = {}) {
+    make(path_, sent);
+    BagImport description;
+    if (!channels.empty()) description.channels = parse_bag_channels(channels).value();
+    return imported(path_, description);
+  }
+
+  static FloatValues row(const Exploration& exploration, std::size_t channel, std::size_t frame) {
+    FloatValues rounded;
+    for (const float value : exploration.channels[channel].frames.row(frame)) {
+      rounded.push_back(std::floor(value));
+    }
+    return rounded;
+  }
+
+  TemporaryFolder folder_;
+  std::string path_ = folder_.file("a.mcap");
+};
+
+TEST_F(NamedJointsTest, ValuesArePlacedByTheirNames) {
+  const Imported result = of({{0, {"b", "a", "c"}}, {10, {"a", "b", "c"}}, {20, {"c", "b", "a"}}});
+  ASSERT_TRUE(result.report) << result.refusal();
+  const Channel& channel = result.explorations[0].channels[0];
+  EXPECT_EQ(channel.element_names, (std::vector<std::string>{"b", "a", "c"}));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(row(result.explorations[0], 0, i), (FloatValues{1, 0, 2})) << i;
+  }
+}
+
+TEST_F(NamedJointsTest, TheOrderIsTheSameInAllBags) {
+  make(folder_.file("1.mcap"), {{0, {"a", "b"}}});
+  make(folder_.file("2.mcap"), {{0, {"b", "a"}}});
+  const Imported result = imported(folder_.path(), {});
+  ASSERT_TRUE(result.report) << result.refusal();
+  EXPECT_EQ(row(result.explorations[1], 0, 0), (FloatValues{0, 1}));
+}
+
+TEST_F(NamedJointsTest, OtherNamesAreRefusedWithTopicTimeAndBothLists) {
+  const std::string refusal = of({{0, {"a", "b"}}, {2500, {"c", "d"}}}).refusal();
+  EXPECT_NE(refusal.find("topic /joints at 2.500000 s"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("'c', 'd'; those of the first frame are 'a', 'b'"), std::string::npos);
+  EXPECT_NE(refusal.find("position[a,b]"), std::string::npos) << refusal;
+  const std::string by_number =
+      of({{0, {"a", "b"}}, {10, {"c", "d"}}}, "arm=/joints:position[0]").refusal();
+  EXPECT_NE(by_number.find("'c'; those of the first frame are 'a'"), std::string::npos);
+}
+
+TEST_F(NamedJointsTest, SelectedElementsAreReadAndOtherMessagesCounted) {
+  const Imported result = of({{0, {"f"}}, {10, {"a", "b", "c"}}, {20, {"f"}}, {30, {"c", "a"}}},
+                             "arm:rad=/joints:position[c,a],grip:rad=/joints:position[f]");
+  ASSERT_TRUE(result.report) << result.refusal();
+  const Exploration& exploration = result.explorations[0];
+  EXPECT_EQ(exploration.channels[0].element_names, (std::vector<std::string>{"c", "a"}));
+  ASSERT_EQ(exploration.channels[0].frames.rows(), 2U);
+  EXPECT_EQ(row(exploration, 0, 0), (FloatValues{2, 0}));
+  EXPECT_EQ(row(exploration, 0, 1), (FloatValues{2, 0}));
+  EXPECT_EQ(exploration.channels[1].frames.rows(), 2U);
+  ASSERT_EQ(result.report->left_out.size(), 2U);
+  EXPECT_EQ(result.report->left_out[0].messages, 2U);
+  EXPECT_EQ(result.report->left_out[0].reason, "without all elements of channel 'arm'");
+  const std::string refusal =
+      of({{0, {"aa", "b"}}, {10, {"f"}}}, "arm=/joints:position[ab]").refusal();
+  EXPECT_NE(refusal.find("unknown element 'ab'"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("aa"), std::string::npos) << refusal;
+}
+
+TEST_F(NamedJointsTest, MessagesOutOfOrderAreSortedByTime) {
+  const Imported result = of({{20, {"a"}}, {0, {"a"}}, {10, {"a"}}});
+  ASSERT_TRUE(result.report) << result.refusal();
+  EXPECT_EQ(result.explorations[0].channels[0].times, (std::vector<double>{0.0, 0.01, 0.02}));
+  EXPECT_FLOAT_EQ(result.explorations[0].channels[0].frames(0, 0), 0.01F);
+}
+
+TEST_F(NamedJointsTest, TimesBeforeTheYear2000BesideOthersAreRefusedOrCut) {
+  const std::vector<Sent> sent{
+      {5000, {"a"}}, {5010, {"a"}}, {1'700'000'000'000, {"a"}}, {1'700'000'000'010, {"a"}}};
+  const std::string refusal = of(sent).refusal();
+  EXPECT_NE(refusal.find("has the time 2023-11-14 22:13:20 UTC, and the exploration begins at 5 s"),
+            std::string::npos)
+      << refusal;
+  BagImport cut;
+  cut.trials.jumps = ClockJumps::kCut;
+  const Imported result = imported(path_, cut);
+  ASSERT_TRUE(result.report) << result.refusal();
+  EXPECT_EQ(result.explorations.size(), 2U);
+  EXPECT_TRUE(of({{5000, {"a"}}, {5010, {"a"}}}).report);
+}
+
+TEST_F(NamedJointsTest, DifferencesFromTheDescriptionOfTheBagAreRemarks) {
+  make(folder_.file("b_0.mcap"), {{0, {"a"}}, {10, {"a"}}});
+  make(folder_.file("b_1.mcap"), {{20, {"a"}}});
+  (void)folder_.with("metadata.yaml",
+                     "topics_with_message_count:\n  - topic_metadata:\n      name: /joints\n    "
+                     "message_count: 3\nrelative_file_paths:\n  - b_0.mcap\n");
+  const Imported result = imported(folder_.path(), {});
+  ASSERT_TRUE(result.report) << result.refusal();
+  ASSERT_EQ(result.report->remarks.size(), 2U);
+  EXPECT_NE(result.report->remarks[0].find("does not list 'b_1.mcap'"), std::string::npos);
+  EXPECT_NE(result.report->remarks[1].find("lists 3 messages of /joints, the files hold 2"),
             std::string::npos);
 }
 

@@ -2,11 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/support/temporary_folder.h"
 #include "recordings/bags/made_bag.h"
 #include "recordings/file/ros_messages.h"
+#include "recordings/mcap/mcap_writer.h"
+#include "somato/recording/inspect_recording.h"
+#include "somato/recording/recover_recording.h"
 
 namespace somato {
 namespace {
@@ -22,7 +28,8 @@ TEST(InspectBag, EveryTopicHasChannelsOrAReason) {
     made.add(joints, 10 * i, joint_state_message(0, {"a"}, std::vector<double>{0.5}));
   }
   made.add(text, 50, text_message("a")).add(own, 60, numbers_message({1}));
-  made.add(own, 260, numbers_message({1})).add(own, 200, numbers_message({1})).finish();
+  made.add(own, 2260, numbers_message({1})).add(own, 2200, numbers_message({1}));
+  made.add(own, 1000, numbers_message({1})).finish();
   const auto summary = inspect_bag(find_bags(folder.path()).value()[0]);
   ASSERT_TRUE(summary) << to_string(summary.error());
   ASSERT_EQ(summary->topics.size(), 3U);
@@ -37,7 +44,58 @@ TEST(InspectBag, EveryTopicHasChannelsOrAReason) {
   EXPECT_EQ(summary->topics[1].rate(), 0.0);
   EXPECT_EQ(summary->topics[2].reason, "a/msg/X is not a known type; its numbers: x[*]");
   EXPECT_EQ(summary->topics[2].set_back, 1U);
-  EXPECT_EQ(summary->topics[2].longest_gap, 200'000'000);
+  EXPECT_EQ(summary->topics[2].longest_gap, 2'140'000'000);
+  EXPECT_EQ(summary->displaced, 1U);
+}
+
+// A file that is no recording as it is, because of its order or elements, is not damaged.
+TEST(InspectBag, FilesOfOtherProgramsAreNotCalledDamaged) {
+  const TemporaryFolder folder;
+  const std::vector<double> one{0.5};
+  for (const bool has_other_names : {false, true}) {
+    const std::string path = folder.file(has_other_names ? "names.mcap" : "order.mcap");
+    MadeBag made(path);
+    const auto joints =
+        made.topic("/joints", "sensor_msgs/msg/JointState", joint_state_schema().data);
+    made.add(joints, 100, joint_state_message(0, {"a"}, one));
+    made.add(joints, has_other_names ? 110 : 90,
+             joint_state_message(0, {has_other_names ? "b" : "a"}, one));
+    made.add(joints, 120, joint_state_message(0, {"a"}, one)).finish();
+    const auto summary = inspect_recording(path);
+    ASSERT_TRUE(summary) << to_string(summary.error());
+    EXPECT_FALSE(summary->damage);
+    ASSERT_TRUE(summary->unfit);
+    EXPECT_NE(summary->unfit->advice.find("somato import bag"), std::string::npos);
+    const auto report = recover_recording(path, folder.file("copy.mcap"), {});
+    ASSERT_TRUE(report) << to_string(report.error());
+    EXPECT_TRUE(report->lossless);
+    EXPECT_EQ(report->messages, 3U);
+    EXPECT_EQ(inspect_bag(find_bags(folder.file("copy.mcap")).value()[0])->topics[0].messages, 3U);
+  }
+}
+
+TEST(InspectBag, TopicsInJsonHaveTheirSchema) {
+  const TemporaryFolder folder;
+  std::ofstream out(folder.file("a.mcap"), std::ios::binary);
+  McapWriter file(
+      [&](std::string_view bytes) {
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        return Result<void>();
+      },
+      Compression::kNone, std::size_t{1} << 20);
+  (void)file.begin({"", "test"});
+  const McapSchema schema{0, "sensor_msgs/JointState", "jsonschema",
+                          R"({"type": "object", "properties": {"name": {"type": "array", "items":
+                              {"type": "string"}}, "position": {"type": "array", "items":
+                              {"type": "number"}}}})"};
+  const auto id = file.channel(&schema, {0, 0, "/joints", "json", {}}).value();
+  (void)file.add({id, 0, 5, 5, R"({"name": ["a", "b"], "position": [1, 2]})"});
+  (void)file.finish();
+  out.close();
+  const auto summary = inspect_bag(find_bags(folder.path()).value()[0]);
+  ASSERT_TRUE(summary) << to_string(summary.error());
+  ASSERT_EQ(summary->topics[0].channels.size(), 1U) << summary->topics[0].reason;
+  EXPECT_EQ(summary->topics[0].channels[0].elements, 2U);
 }
 
 }  // namespace

@@ -74,6 +74,22 @@ TEST_F(YarpDumps, FoldersOfExplorationsHaveLabels) {
   EXPECT_TRUE(refusal("{object}/{trial:number}").starts_with("cup/10: "));
 }
 
+TEST_F(YarpDumps, ValuesWithNamesArePlacedByThem) {
+  dump("1/arm", "0 1.0 (shoulder 1) (hand 2 3)\n1 2.0 (hand 5 6) (shoulder 4)\n");
+  dump("2/arm", "0 1.0 hand 8 9 shoulder 7\n");
+  const YarpImport read = import("{trial}").value();
+  const Channel& first = read.recording.explorations.at(0).channels.at(0);
+  EXPECT_EQ(first.element_names, (std::vector<std::string>{"shoulder", "hand[0]", "hand[1]"}));
+  EXPECT_EQ(first.frames, (Matrix<float>(2, 3, std::vector<float>{1, 2, 3, 4, 5, 6})));
+  EXPECT_EQ(read.recording.explorations.at(1).channels.at(0).frames,
+            (Matrix<float>(1, 3, std::vector<float>{7, 8, 9})));
+  dump("1/arm", "0 1.0 shoulder 1 elbow 2\n1 2.0 shoulder 1 wrist 2\n");
+  EXPECT_NE(refusal("{trial}").find("'shoulder', 'wrist'; those of the first frame are 'shoulder', "
+                                    "'elbow'"),
+            std::string::npos)
+      << refusal("{trial}");
+}
+
 TEST_F(YarpDumps, RefusesDamagedLines) {
   EXPECT_NE(refusal().find("there are no dumps of YARP"), std::string::npos);
   const std::vector<std::pair<std::string, std::string>> cases{
@@ -84,7 +100,9 @@ TEST_F(YarpDumps, RefusesDamagedLines) {
       {"0 1.0 1 2\n1 2.0 1\n", "skin/data.log:2: the line has 1 values, the first one 2"},
       {"0 1.0 1\n1 2.0 x\n", "skin/data.log:2: 'x' is not a finite number"},
       {"0 1.0 1\n1 2.0 1e39\n", "skin/data.log:2: '1e39' is not a finite number"},
-      {"0 1.0 cup\n", "no dump contains numbers"}};
+      {"0 1.0 cup\n", "no dump contains numbers"},
+      {"0 1.0 nan 1\n", "no dump contains numbers"},
+      {"0 1.0 a 1\n1 2.0 2 a\n", "skin/data.log:2: the line has values without names"}};
   for (const auto& [data, says] : cases) {
     dump("skin", data);
     EXPECT_NE(refusal().find(says), std::string::npos) << refusal();

@@ -17,7 +17,9 @@ using Texts = std::vector<std::string>;
 // The values in words.
 class Words : public FieldSink {
  public:
-  void take(const RosScalar& scalar) override { words.push_back(to_string(scalar)); }
+  void take(const RosScalar& scalar, FieldPlace /*place*/) override {
+    words.push_back(to_string(scalar));
+  }
   Texts words;
 };
 
@@ -167,7 +169,7 @@ TEST(FieldReader, WideTextsAreOnlyPassedOverIfEmpty) {
 TEST(FieldReader, PathsThatSelectNothingAreRefused) {
   const auto type = skin_type();
   for (const std::string path :
-       {"", ".", "last.", "last.x", "sensors[", "sensors[]", "sensors[x]", "sensors[1..]",
+       {"", ".", "last.", "last.x", "sensors[", "sensors[]", "sensors[x].place", "sensors[1..]",
         "sensors[3..1]", "sensors[-1]", "sensors]0[", "sensors[0]]", "sensors[0]x", "last[0]",
         "sensors[*].place[2]", "frame", "sensors[*].model", "sensors..taxels", "nothing"}) {
     const auto reader = FieldReader::compile(type, path);

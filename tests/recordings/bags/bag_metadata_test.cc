@@ -1,0 +1,55 @@
+#include "recordings/bags/bag_metadata.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace somato {
+namespace {
+
+// The lines of rosbag2, shortened.
+const std::string kText =
+    "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: mcap\n"
+    "  message_count: 70\n  topics_with_message_count:\n    - topic_metadata:\n"
+    "        name: /joint_states\n        type: sensor_msgs/msg/JointState\n"
+    "      message_count: 40\n    - topic_metadata:\n        name: '/touch'\n"
+    "        type: a/msg/B\n      message_count: 30\n  compression_format: \"\"\n"
+    "  compression_mode: FILE\n  relative_file_paths:\n    - b_0.mcap\n    - \"b_1.mcap\"\n"
+    "  files:\n    - path: b_0.mcap\n      message_count: 50\n";
+
+TEST(BagMetadata, FilesAndNumbersOfMessagesAreRead) {
+  for (const std::string& end : {std::string("\n"), std::string("\r\n")}) {
+    std::string text;
+    for (const char c : kText) text += c == '\n' ? end : std::string(1, c);
+    const BagMetadata metadata = parse_bag_metadata(text);
+    EXPECT_EQ(metadata.files, (std::vector<std::string>{"b_0.mcap", "b_1.mcap"}));
+    EXPECT_EQ(metadata.compression, "FILE");
+    EXPECT_EQ(metadata.messages,
+              (std::map<std::string, std::uint64_t>{{"/joint_states", 40}, {"/touch", 30}}));
+  }
+}
+
+TEST(BagMetadata, DifferencesAreNamed) {
+  const BagMetadata metadata = parse_bag_metadata(kText);
+  EXPECT_TRUE(differences(metadata, {{"/joint_states", 40}, {"/touch", 30}}).empty());
+  EXPECT_EQ(differences(metadata, {{"/joint_states", 39}, {"/touch", 30}, {"/new", 2}}),
+            (std::vector<std::string>{
+                "metadata.yaml lists 40 messages of /joint_states, the files hold 39",
+                "the files hold 2 messages of /new, which metadata.yaml does not list"}));
+  EXPECT_EQ(
+      differences(metadata, {{"/joint_states", 40}}),
+      (std::vector<std::string>{"metadata.yaml lists 30 messages of /touch, the files hold 0"}));
+  EXPECT_TRUE(differences({}, {{"/touch", 30}}).empty());
+}
+
+TEST(BagMetadata, OtherTextListsNothing) {
+  for (const char* text : {"", "\n\n", "- - -", "files:\n  - a", "message_count: 3\nname: x\n"}) {
+    EXPECT_TRUE(parse_bag_metadata(text).files.empty()) << text;
+    EXPECT_TRUE(parse_bag_metadata(text).messages.empty()) << text;
+  }
+}
+
+}  // namespace
+}  // namespace somato
