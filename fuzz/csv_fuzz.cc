@@ -14,6 +14,7 @@ void check(std::string_view text, const somato::CsvOptions& options) {
   if (!table) return;
   for (const float value : table->values.values()) SOMATO_ASSERT(std::isfinite(value));
   somato::CsvOptions again;
+  again.columns.features = table->names;
   if (!table->labels.empty()) again.label_column = std::to_string(table->values.columns() + 1);
   SOMATO_ASSERT(somato::parse_csv(somato::format_csv(*table), "again", again) == *table);
 }
@@ -38,9 +39,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options = {' ', false, ""};
   check(text, options);
   options = {};
-  options.decimal = ',';
+  options.decimal = somato::DecimalMark::kComma;
   check(text, options);
-  options.decimal = '.';
+  options.decimal = somato::DecimalMark::kPoint;
   options.columns.skip = {"a*"};
   check(text, options);
   options.columns.skip = {"1", "3..4"};

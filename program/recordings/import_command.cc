@@ -112,25 +112,31 @@ Result<CsvImport> description_of(const Arguments& arguments) {
   return read_toml(arguments.text("description")).and_then(read_csv_import);
 }
 
-// The numbers of rows and files left out, as a second line; empty for none.
-std::string line_of(const CsvLeftOut& left_out) {
-  if (left_out.rows == 0) return {};
-  std::string files;
-  if (left_out.files > 0) {
-    files = fmt::format(", with {} {} shorter than a window", left_out.files,
-                        left_out.files == 1 ? "file" : "files");
+// The numbers of rows and files left out, if any, and warnings, one a line.
+std::string lines_of(const CsvImportReport& report) {
+  std::string lines;
+  if (report.rows_left_out > 0) {
+    std::string files;
+    if (report.files_left_out > 0) {
+      files =
+          fmt::format(", with {} shorter than a window", counted(report.files_left_out, "file"));
+    }
+    lines = fmt::format("left out, because they fill no window: {}{}\n",
+                        counted(report.rows_left_out, "row"), files);
   }
-  return fmt::format("left out, because they fill no window: {} {}{}\n", left_out.rows,
-                     left_out.rows == 1 ? "row" : "rows", files);
+  for (const std::string& warning : report.warnings) {
+    lines += fmt::format("warning: {}\n", warning);
+  }
+  return lines;
 }
 
 Result<Imported> import_csv(const Arguments& arguments) {
-  CsvLeftOut left_out;
+  CsvImportReport report;
   return description_of(arguments)
       .and_then([&](const CsvImport& description) {
-        return import_csv_trials(arguments.text("DIR"), description, &left_out);
+        return import_csv_trials(arguments.text("DIR"), description, &report);
       })
-      .map([&](Recording recording) { return Imported{std::move(recording), line_of(left_out)}; });
+      .map([&](Recording recording) { return Imported{std::move(recording), lines_of(report)}; });
 }
 
 // Files that define their channels; `import_trials` takes the folder, the pattern and whether to

@@ -31,12 +31,9 @@ Result<std::vector<std::string>> read_items(const Arguments& arguments, const st
   return items;
 }
 
-Result<char> read_decimal(const Arguments& arguments) {
-  const std::string mark = arguments.has("decimal") ? arguments.text("decimal") : "point";
-  if (mark == "point") return '.';
-  if (mark == "comma") return ',';
-  return fail(ErrorKind::kUsage, fmt::format("must be point or comma, not '{}'", mark),
-              "--decimal");
+Result<DecimalMark> read_decimal(const Arguments& arguments) {
+  if (!arguments.has("decimal")) return DecimalMark::kPoint;
+  return choice_named<DecimalMark>("decimal mark", arguments.text("decimal"), "--decimal");
 }
 
 Result<std::optional<bool>> read_header(const Arguments& arguments) {
@@ -52,7 +49,7 @@ std::vector<Flag> table_flags() {
   return {{"--label-column", "Column of a CSV file with labels, by name or number from 1"},
           {"--columns-to-use",
            "Columns to use as features, separated by commas: names or patterns such as 'tax_*', or "
-           "numbers from 1 and ranges such as 2..17 if columns have no names. Default: all"},
+           "numbers from 1 and ranges such as 2..17 of columns without names. Default: all"},
           {"--skip", "Columns to leave out, in the same form"},
           {"--variable", "Array of an NPZ archive or a MAT-file with several"},
           {"--missing",

@@ -14,11 +14,12 @@ namespace somato {
 /// Whether `bytes` begin like a file in numpy's NPY format.
 bool is_npy(std::string_view bytes);
 
-/// The array in `bytes`, from the source `where`: versions 1 to 3 of numpy's NPY format; float32,
-/// float64, integers of 8 to 64 bits and booleans; either byte order; C or Fortran order. An array
-/// of one dimension becomes one column. Numbers are rounded to float32. Errors (kData): other types
-/// and dimensions, an empty array, a file that is truncated or too long, and, with row and column,
-/// a value that is not a finite float32. Source: numpy.lib.format in numpy's documentation.
+/// The array in `bytes`, from the source `where`: versions 1 to 3 of numpy's NPY format; float16,
+/// float32, float64, integers of 8 to 64 bits and booleans; either byte order; C or Fortran order.
+/// An array of one dimension becomes one column. Numbers are rounded to float32. Errors (kData):
+/// other types and dimensions, an empty array, a file that is truncated or too long, and, with row
+/// and column, a value that is not a finite float32. Source: numpy.lib.format in numpy's
+/// documentation.
 Result<Matrix<float>> decode_npy(std::string_view bytes, std::string_view where);
 
 /// The array in the file at `path`; see decode_npy() and read_whole().

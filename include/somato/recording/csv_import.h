@@ -9,12 +9,13 @@
 
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
+#include "somato/files/csv.h"
 #include "somato/recording/recording.h"
 
 namespace somato {
 
-/// Unit of the numbers in a time column.
-enum class TimeUnit { kSeconds, kMilliseconds, kMicroseconds, kNanoseconds };
+/// Unit of the numbers in a time column, or ISO 8601: dates and times of day.
+enum class TimeUnit { kSeconds, kMilliseconds, kMicroseconds, kNanoseconds, kIso };
 
 /// Treatment of a field without a number: an empty one, NaN, NA, null and the like.
 enum class MissingValues {
@@ -44,7 +45,8 @@ struct CsvTrials {
       window;               ///< Number of rows of an exploration; without it: all rows of the file.
   std::size_t overlap = 0;  ///< Number of rows that a window shares with the preceding one.
   bool header = true;
-  std::string time;
+  DecimalMark decimal = DecimalMark::kPoint;
+  std::vector<std::string> time;  ///< A column; or two, with dates and times of day.
   TimeUnit time_unit = TimeUnit::kSeconds;
   double rate = 0.0;
   MissingValues missing = MissingValues::kRefuse;
@@ -92,21 +94,22 @@ struct Choices<Unmentioned> {
 };
 
 /// Checks the consistency of the description. Errors (kUsage) name the key: no labels, an invalid
-/// pattern, both time and rate, an overlap without a window or not below it, rows that are
-/// explorations with a window, time or rate, a column of explorations with a window or such rows,
-/// two labels with the same name, no channels, two channels with the same name, a channel with
-/// neither columns nor label or with both, a column used twice, an invalid range, a shape that the
-/// columns do not fill.
+/// pattern, both time and rate, two columns of times without ISO 8601, an overlap without a window
+/// or not below it, rows that are explorations with a window, time or rate, a column of
+/// explorations with a window or such rows, two labels with the same name, no channels, two
+/// channels with the same name, a channel with neither columns nor label or with both, a column
+/// used twice, an invalid range, a shape that the columns do not fill.
 Result<void> check_csv_import(const CsvImport& description);
 
 /// Reads a description from its tables [import] and [[channel]] and checks it. Errors (kUsage) with
 /// their location: also unknown keys (with the nearest known one) and values out of range.
 Result<CsvImport> read_csv_import(const Table& file);
 
-/// The numbers of rows and files that an import leaves out because they do not fill a window.
-struct CsvLeftOut {
-  std::size_t rows = 0;   ///< Rows outside of all windows.
-  std::size_t files = 0;  ///< Files without any window.
+/// The parts that an import leaves out, and doubts about its data.
+struct CsvImportReport {
+  std::size_t rows_left_out = 0;      ///< Rows outside of all windows.
+  std::size_t files_left_out = 0;     ///< Files without any window.
+  std::vector<std::string> warnings;  ///< About times: without a period at their end.
 };
 
 /// Reads a folder of CSV files, one per trial, according to `description`; `folder` may also be one
@@ -132,12 +135,15 @@ struct CsvLeftOut {
 /// the last two digits are lost.
 ///
 /// The text is as in parse_csv(): any separator, quotation marks, comments, line endings, a byte
-/// order mark. Errors: those of check_csv_import(); kSystem for files that cannot be read; kData
-/// with file, line and column for deviations from the description, ragged rows, decreasing times,
-/// files without rows, labels that are missing or that change in a file that is not divided,
-/// patterns without columns or with other columns than in the first file, ignored columns that
-/// occur in no file, no window.
+/// order mark. A column without a name is (column 3), or its number 3 unless that is a name; no
+/// pattern of a channel includes it. Errors: those of check_csv_import(); kSystem for files that
+/// cannot be read; kData with file, line and column for deviations from the description, ragged
+/// rows, times that decrease, that are the same in all rows or that no clock shows (see
+/// ClockTimes), files without rows, labels that are missing or that change in a file that is not
+/// divided, patterns without columns or with other columns than in the first file, ignored columns
+/// that occur in no file, no window.
 Result<Recording> import_csv_trials(const std::filesystem::path& folder,
-                                    const CsvImport& description, CsvLeftOut* left_out = nullptr);
+                                    const CsvImport& description,
+                                    CsvImportReport* report = nullptr);
 
 }  // namespace somato

@@ -32,12 +32,42 @@ double read_big(const char* bytes) {
   return static_cast<double>(big_endian<T>(bytes));
 }
 
+// The number with the bits of a float16 (IEEE 754 binary16): a sign, 5 bits of exponent and 10 of
+// fraction. All of them are floats.
+double half(std::uint16_t bits) {
+  constexpr int kFractionBits = 10;
+  constexpr int kBias = 15;
+  constexpr int kNotFinite = 31;
+  const int exponent = (bits >> kFractionBits) & 31;
+  const int fraction = bits & 1023;
+  double number = 0.0;
+  if (exponent == kNotFinite) {
+    number = fraction == 0 ? std::numeric_limits<double>::infinity()
+                           : std::numeric_limits<double>::quiet_NaN();
+  } else if (exponent == 0) {
+    number = std::ldexp(fraction, 1 - kBias - kFractionBits);
+  } else {
+    number = std::ldexp(1024 + fraction, exponent - kBias - kFractionBits);
+  }
+  return (bits >> 15) != 0 ? -number : number;
+}
+
+double read_little_half(const char* bytes) {
+  return half(little_endian<std::uint16_t>(bytes));
+}
+
+double read_big_half(const char* bytes) {
+  return half(big_endian<std::uint16_t>(bytes));
+}
+
 // A byte of a boolean that is neither 0 nor 1 is invalid, and not a missing value.
 double read_bool(const char* byte) {
   return *byte == 0 || *byte == 1 ? *byte : std::numeric_limits<double>::infinity();
 }
 
 constexpr NpyType kTypes[] = {
+    {"<f2", 2, read_little_half},
+    {">f2", 2, read_big_half},
     {"<f4", 4, read_little<float>},
     {">f4", 4, read_big<float>},
     {"<f8", 8, read_little<double>},
@@ -174,7 +204,7 @@ Result<NpyReading> npy_reading(const NpyLayout& layout, const CsvOptions& option
     return fail(ErrorKind::kUsage, "an NPY file has no label column", where,
                 "use --labels with a text file, one label per line");
   }
-  if (options.decimal != '.') {
+  if (options.decimal != DecimalMark::kPoint) {
     return fail(ErrorKind::kUsage, "an NPY file has no decimal comma", where,
                 "omit --decimal, which applies to text files");
   }

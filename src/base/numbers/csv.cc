@@ -9,6 +9,7 @@
 #include "base/files/whole_file.h"
 #include "base/numbers/whole_table.h"
 #include "base/tables/csv_number.h"
+#include "base/tables/csv_text.h"
 #include "base/text/text.h"
 #include "somato/core/check.h"
 
@@ -61,6 +62,12 @@ bool sizes_match(const NumberTable& table) {
 
 }  // namespace
 
+const std::vector<std::pair<DecimalMark, std::string>>& Choices<DecimalMark>::all() {
+  static const std::vector<std::pair<DecimalMark, std::string>> choices{
+      {DecimalMark::kPoint, "point"}, {DecimalMark::kComma, "comma"}};
+  return choices;
+}
+
 Result<NumberTable> parse_csv(std::string_view text, std::string_view where,
                               const CsvOptions& options) {
   require(!options.separator || is_known_separator(*options.separator),
@@ -75,7 +82,8 @@ Result<NumberTable> read_csv(const std::string& path, const CsvOptions& options)
       [&](const std::string& bytes) { return parse_csv(bytes, path, options); });
 }
 
-std::string csv_field(const std::string& text) {
+std::string csv_field(const std::string& value) {
+  const std::string text = guarded_text(value);
   const bool plain = std::all_of(text.begin(), text.end(), needs_no_quotes);
   if (plain && is_csv_text(text)) return text;
   std::string out = "\"";

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -23,6 +24,10 @@ bool is_missing_word(std::string_view text) {
     if (word == missing) return true;
   }
   return false;
+}
+
+bool has_point(std::string_view field) {
+  return field.find('.') != std::string_view::npos;
 }
 
 // from_chars takes no plus sign.
@@ -54,8 +59,25 @@ bool is_csv_text(std::string_view field) {
   return read_csv_number<float>(field).meaning == CsvMeaning::kText;
 }
 
+std::string decimal_advice(std::string_view field, DecimalMark decimal) {
+  if (decimal == DecimalMark::kComma) {
+    return has_point(field) ? "numbers are read with a decimal comma: write them without a point"
+                            : "";
+  }
+  return has_decimal_comma(field)
+             ? "write decimals with a point and thousands without a separator, or use --decimal "
+               "comma for decimal commas"
+             : "";
+}
+
 template <typename T>
-CsvReading<T> read_csv_number(std::string_view field) {
+CsvReading<T> read_csv_number(std::string_view field, DecimalMark decimal) {
+  if (decimal == DecimalMark::kComma) {
+    if (has_point(field)) return {CsvMeaning::kText};
+    std::string with_point(field);
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    return read_csv_number<T>(with_point);
+  }
   const std::string_view text = without_plus(field);
   const char* const end = text.data() + text.size();
   T number{};
@@ -69,13 +91,12 @@ CsvReading<T> read_csv_number(std::string_view field) {
   return {CsvMeaning::kNumber, number};
 }
 
-template CsvReading<float> read_csv_number<float>(std::string_view field);
-template CsvReading<double> read_csv_number<double>(std::string_view field);
+template CsvReading<float> read_csv_number<float>(std::string_view field, DecimalMark decimal);
+template CsvReading<double> read_csv_number<double>(std::string_view field, DecimalMark decimal);
 
-tl::unexpected<Error> no_csv_number(const CsvField& field, CsvMeaning meaning,
+tl::unexpected<Error> no_csv_number(const CsvField& field, CsvMeaning meaning, DecimalMark decimal,
                                     const std::string& place, const std::string& advice_for_text) {
   SOMATO_ASSERT(meaning != CsvMeaning::kNumber);
-  const bool comma = field.text.find(',') != std::string::npos;
   switch (meaning) {
     case CsvMeaning::kMissing:
     case CsvMeaning::kInfinite:
@@ -91,8 +112,9 @@ tl::unexpected<Error> no_csv_number(const CsvField& field, CsvMeaning meaning,
     case CsvMeaning::kText:
       break;
   }
+  const std::string advice = decimal_advice(field.text, decimal);
   return fail(ErrorKind::kData, fmt::format("{} is not a number", shown(field.text)), place,
-              comma ? "write decimals with a point" : advice_for_text);
+              advice.empty() ? advice_for_text : advice);
 }
 
 }  // namespace somato

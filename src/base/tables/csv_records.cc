@@ -11,10 +11,34 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
+// The separator that a line such as sep=; declares for spreadsheets. They may put it in quotation
+// marks, and repeat the separator once for each of the other columns.
+std::optional<char> declared_separator(std::string_view line) {
+  constexpr std::string_view kDeclaration = "sep=";
+  constexpr std::string_view kSeparators = ",;\t |:";
+  const bool is_quoted = line.starts_with('"');
+  if (is_quoted) line.remove_prefix(1);
+  for (const char c : kDeclaration) {
+    if (line.empty() || (line.front() != c && line.front() != c - 'a' + 'A')) return std::nullopt;
+    line.remove_prefix(1);
+  }
+  if (line.empty() || kSeparators.find(line.front()) == std::string_view::npos) return std::nullopt;
+  const char separator = line.front();
+  line.remove_prefix(1);
+  if (is_quoted && !line.starts_with('"')) return std::nullopt;
+  if (is_quoted) line.remove_prefix(1);
+  const bool is_whole = line.find_first_not_of(separator) == std::string_view::npos;
+  return is_whole ? std::optional(separator) : std::nullopt;
+}
+
 }  // namespace
 
 std::string CsvRecords::place(const CsvField& field) const {
   return fmt::format("{}:{}:{}", where_, field.line, field.column);
+}
+
+std::string CsvRecords::line_place(const CsvField& field) const {
+  return fmt::format("{}:{}", where_, field.line);
 }
 
 bool CsvRecords::at_separator(char separator) const {
@@ -61,8 +85,20 @@ char CsvRecords::guess_separator(std::string_view candidates) {
   for (;;) {
     const Position start = position_;
     const auto [separator, whole] = guess_from_here(candidates);
-    if (whole || !read_on(start).value_or(false)) return separator;
+    if (!whole && read_on(start).value_or(false)) continue;
+    return take_declared_separator().value_or(separator);
   }
+}
+
+// From the start of the first record, which is in memory.
+std::optional<char> CsvRecords::take_declared_separator() {
+  const std::string_view line =
+      text_.substr(position_.offset, text_.substr(position_.offset).find_first_of("\r\n"));
+  const std::optional<char> separator = declared_separator(line);
+  if (!separator) return std::nullopt;
+  position_.offset += line.size();
+  skip_line_end();
+  return separator;
 }
 
 std::pair<char, bool> CsvRecords::guess_from_here(std::string_view candidates) {

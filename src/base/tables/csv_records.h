@@ -40,8 +40,9 @@ class CsvRecords {
     position_.line = line;
   }
 
-  /// The probable separator of the next record: the first of `candidates` that occurs in it outside
-  /// quotation marks, otherwise a comma.
+  /// The separator of a text that has not been read: the one that a first line such as sep=;
+  /// declares, which is passed over, or the first of `candidates` that occurs in the first record
+  /// outside quotation marks, otherwise a comma.
   char guess_separator(std::string_view candidates = "\t;, ");
 
   /// Reads the next record into `fields`, which is empty at the end of the text. Errors: kData.
@@ -52,6 +53,9 @@ class CsvRecords {
 
   /// `where:line:column` of a field.
   std::string place(const CsvField& field) const;
+
+  /// `where:line` of a field.
+  std::string line_place(const CsvField& field) const;
 
  private:
   // The current position.
@@ -64,6 +68,7 @@ class CsvRecords {
   Result<void> record(char separator, std::vector<CsvField>& fields);
   // The separator, and whether all of the record was there.
   std::pair<char, bool> guess_from_here(std::string_view candidates);
+  std::optional<char> take_declared_separator();
   Result<bool> read_on(const Position& from);
   bool at_end() const { return position_.offset == text_.size(); }
   char here() const { return text_[position_.offset]; }

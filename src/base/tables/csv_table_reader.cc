@@ -7,7 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "base/tables/csv_dialect.h"
+#include "base/tables/csv_header.h"
 #include "base/tables/csv_number.h"
+#include "base/tables/csv_text.h"
 #include "base/text/text.h"
 #include "somato/core/check.h"
 #include "somato/core/value.h"
@@ -22,40 +25,29 @@ std::optional<std::size_t> number_from_one(const std::string& text) {
   return whole ? std::optional(number - 1) : std::nullopt;
 }
 
-bool has_point(const CsvField& field) {
-  return field.text.find('.') != std::string::npos;
+// Single precision is sufficient for numbers with few digits.
+double exact_number(std::string_view field, DecimalMark decimal, float rounded) {
+  constexpr std::size_t kFewDigits = 7;
+  return field.size() <= kFewDigits ? double{rounded}
+                                    : read_csv_number<double>(field, decimal).number;
 }
 
-// Single precision is sufficient for numbers with few digits.
-double exact_number(std::string_view field, float rounded) {
-  constexpr std::size_t kFewDigits = 7;
-  return field.size() <= kFewDigits ? double{rounded} : read_csv_number<double>(field).number;
+// The header that pandas writes for columns without names: an empty field for the index, 0, 1, 2.
+bool numbers_columns(const std::vector<CsvField>& fields) {
+  if (fields.size() < 2 || !fields[0].text.empty()) return false;
+  for (std::size_t i = 1; i < fields.size(); ++i) {
+    if (fields[i].text != std::to_string(i - 1)) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 Result<void> CsvTableReader::begin() {
-  require(options_.decimal == '.' || options_.decimal == ',',
-          "the decimal separator is a point or a comma");
-  const std::string_view candidates = options_.decimal == ',' ? "\t; ," : "\t;, ";
-  separator_ = options_.separator ? *options_.separator : records_.guess_separator(candidates);
-  return next()
-      .and_then([&] { return check_separator(); })
+  return begin_csv(records_, options_.decimal, options_.separator, fields_)
+      .map([&](char separator) { separator_ = separator; })
       .and_then([&] { return read_first_record(); })
       .and_then([&]() -> Result<void> { return fields_.empty() ? no_rows() : Result<void>(); });
-}
-
-// A single column needs no separator.
-Result<void> CsvTableReader::check_separator() {
-  if (options_.decimal != ',' || separator_ != ',') return {};
-  if (fields_.size() > 1) {
-    return fail(ErrorKind::kUsage,
-                "commas separate the fields, so they cannot be decimal separators",
-                fmt::format("{}:{}", where_, fields_[0].line),
-                "separate the fields by semicolons or tabs, or omit --decimal comma");
-  }
-  separator_ = ';';
-  return {};
 }
 
 Result<void> CsvTableReader::skip_to(std::size_t begin) {
@@ -86,6 +78,7 @@ Result<NumberTable> CsvTableReader::rows(std::size_t most) {
 }
 
 bool CsvTableReader::seems_header() const {
+  if (numbers_columns(fields_)) return true;
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     if (is_label(i) || leaves_out_number(options_.columns, i)) continue;
     const std::string& text = fields_[i].text;
@@ -99,9 +92,7 @@ bool CsvTableReader::seems_header() const {
 Result<void> CsvTableReader::find_label_column() {
   const std::string& wanted = options_.label_column;
   if (wanted.empty()) return {};
-  std::vector<std::string> names;
-  names.reserve(fields_.size());
-  for (const CsvField& field : fields_) names.push_back(field.text);
+  const std::vector<std::string> names = names_in_header(fields_);
   const auto named = std::find(names.begin(), names.end(), wanted);
   const std::optional<std::size_t> number = number_from_one(wanted);
   const bool is_number = number && *number < columns_.width;
@@ -136,17 +127,16 @@ Result<void> CsvTableReader::read_first_record() {
   SOMATO_TRY_VOID(find_label_column());
   const bool header = options_.header.value_or(named_label_ || seems_header());
   if (!header) return choose();
-  for (const CsvField& field : fields_) columns_.names.push_back(field.text);
+  columns_.names = names_in_header(fields_);
   return choose().and_then([&] { return next(); });
 }
 
 Result<void> CsvTableReader::read_row(std::vector<float>& values,
                                       std::vector<std::string>& labels) {
   if (fields_.size() != columns_.width) {
-    return fail(ErrorKind::kData,
-                fmt::format("expected {} fields, found {}", columns_.width, fields_.size()),
-                fmt::format("{}:{}", where_, fields_[0].line),
-                "give every row the same number of fields");
+    return fail(wrong_number_of_fields(
+        fields_, columns_.width, is_first_row_ && !columns_.names.empty(),
+        records_.line_place(fields_[0]), "give every row the same number of fields"));
   }
   const std::size_t start = values.size();
   values.resize(start + columns_.features.size());
@@ -164,27 +154,13 @@ Result<void> CsvTableReader::read_label(const CsvField& field,
     return fail(ErrorKind::kData, "the label is empty", records_.place(field),
                 "give every row a label");
   }
-  labels.push_back(field.text);
+  labels.push_back(unguarded_text(field.text));
   return {};
-}
-
-// Valid until the next call.
-std::string_view CsvTableReader::with_point(const CsvField& field) {
-  if (options_.decimal == '.') return field.text;
-  number_text_ = field.text;
-  std::replace(number_text_.begin(), number_text_.end(), ',', '.');
-  return number_text_;
-}
-
-// With a decimal comma a point may mark thousands: it is not guessed at.
-CsvReading<float> CsvTableReader::reading_of(const CsvField& field) {
-  if (options_.decimal == ',' && has_point(field)) return {CsvMeaning::kText};
-  return read_csv_number<float>(with_point(field));
 }
 
 Result<void> CsvTableReader::read_value(std::size_t column, float& value) {
   const CsvField& field = fields_[column];
-  const CsvReading<float> reading = reading_of(field);
+  const auto reading = read_csv_number<float>(field.text, options_.decimal);
   if (reading.meaning == CsvMeaning::kMissing && options_.keeps_missing) {
     value = std::numeric_limits<float>::quiet_NaN();
     return {};
@@ -193,18 +169,27 @@ Result<void> CsvTableReader::read_value(std::size_t column, float& value) {
   value = reading.number;
   const bool moved = without_offset(columns_, column, 0.0) != 0.0;
   if (trusts_precision_ && !moved) return {};
-  double exact = moved ? read_csv_number<double>(with_point(field)).number
-                       : exact_number(with_point(field), value);
+  double exact = moved ? read_csv_number<double>(field.text, options_.decimal).number
+                       : exact_number(field.text, options_.decimal, value);
   exact = without_offset(columns_, column, exact);
   if (moved) value = static_cast<float>(exact);
   if (!trusts_precision_) precision_.take(column, exact, value);
   return {};
 }
 
-Error CsvTableReader::no_number(std::size_t column, CsvMeaning meaning) {
+Error CsvTableReader::no_number(std::size_t column, CsvMeaning meaning) const {
   const CsvField& field = fields_[column];
-  Error error = no_csv_number(field, meaning, records_.place(field), {}).value();
-  if (meaning == CsvMeaning::kText) error.advice = advice_for_text(field);
+  const std::string advice = meaning == CsvMeaning::kText ? advice_for_text() : std::string();
+  Error error =
+      no_csv_number(field, meaning, options_.decimal, records_.place(field), advice).value();
+  const bool ends_row = field.text.empty() && column + 1 == columns_.width && column > 0;
+  if (ends_row && is_first_row_ && columns_.names.empty()) {
+    error.advice = fmt::format(
+        "if a separator ends every line, leave the last column out with --skip {}, or remove the "
+        "separator",
+        columns_.width);
+    return error;
+  }
   if (meaning == CsvMeaning::kMissing) {
     error.advice = "leave the row out, fill in a number, or use --missing mean or nearest";
   }
@@ -212,17 +197,13 @@ Error CsvTableReader::no_number(std::size_t column, CsvMeaning meaning) {
 }
 
 // Text in the first row is the type of a column, later it is an error.
-std::string CsvTableReader::advice_for_text(const CsvField& field) {
-  if (options_.decimal == ',' && has_point(field)) {
-    return "numbers are read with a decimal comma: write them without a point";
-  }
-  if (options_.decimal == '.' && has_decimal_comma(field.text)) {
-    return "write decimals with a point and thousands without a separator, or use --decimal comma "
-           "for decimal commas";
-  }
+std::string CsvTableReader::advice_for_text() const {
   std::vector<std::string> columns;
   for (const std::size_t i : columns_.features) {
-    if (!is_first_row_ || reading_of(fields_[i]).meaning != CsvMeaning::kText) continue;
+    if (!is_first_row_ ||
+        read_csv_number<float>(fields_[i].text, options_.decimal).meaning != CsvMeaning::kText) {
+      continue;
+    }
     columns.push_back(columns_.names.empty() ? std::to_string(i + 1) : columns_.names[i]);
   }
   if (columns_.names.empty() || columns.empty()) {

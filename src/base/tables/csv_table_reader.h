@@ -51,17 +51,14 @@ class CsvTableReader {
   bool has_row() const { return !fields_.empty() && start().place < end_; }
   bool is_label(std::size_t column) const { return columns_.label == column; }
   bool seems_header() const;
-  Result<void> check_separator();
   Result<void> choose();
   Result<void> find_label_column();
   Result<void> read_first_record();
   Result<void> read_row(std::vector<float>& values, std::vector<std::string>& labels);
-  CsvReading<float> reading_of(const CsvField& field);
-  std::string_view with_point(const CsvField& field);
   Result<void> read_label(const CsvField& field, std::vector<std::string>& labels) const;
   Result<void> read_value(std::size_t column, float& value);
-  Error no_number(std::size_t column, CsvMeaning meaning);
-  std::string advice_for_text(const CsvField& field);
+  Error no_number(std::size_t column, CsvMeaning meaning) const;
+  std::string advice_for_text() const;
   Result<void> no_rows() const;
 
   CsvRecords records_;
@@ -73,7 +70,6 @@ class CsvTableReader {
   TableColumns columns_;
   bool named_label_ = false;
   bool is_first_row_ = true;
-  std::string number_text_;
   ColumnPrecision precision_;
   bool trusts_precision_ = false;
 };

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <numeric>
 #include <utility>
 
 #include "base/core/values_at.h"
+#include "base/tables/csv_header.h"
 #include "base/text/name_glob.h"
 #include "base/text/text.h"
 #include "somato/core/value.h"
@@ -65,6 +67,25 @@ Result<Named> by_number(const std::string& item, std::size_t width, std::string_
   return named;
 }
 
+// Whether the name of a column does not select it, and its number does.
+bool needs_number(const std::vector<std::string>& names, std::size_t column) {
+  return is_nameless(names[column], column) ||
+         std::count(names.begin(), names.end(), names[column]) > 1;
+}
+
+// The columns in a range of numbers, if none of them can be selected by name.
+std::optional<Named> by_number_among(const std::string& item,
+                                     const std::vector<std::string>& names) {
+  const auto range = number_range(item);
+  if (!range || range->last > names.size()) return std::nullopt;
+  Named named;
+  for (std::size_t i = range->first - 1; i < range->last; ++i) {
+    if (!needs_number(names, i)) return std::nullopt;
+    named.columns.push_back(i);
+  }
+  return named;
+}
+
 Result<Named> by_name(const std::string& item, const std::vector<std::string>& names,
                       std::string_view where) {
   Named named;
@@ -74,8 +95,9 @@ Result<Named> by_name(const std::string& item, const std::vector<std::string>& n
   if (named.columns.size() == 1) return named;
   if (named.columns.size() > 1) {
     return unusable_choice(fmt::format("two columns are named {}", shown(item)), where,
-                           "rename one of them");
+                           "rename one of them, or use the number of the column");
   }
+  if (auto numbered = by_number_among(item, names)) return *numbered;
   named.exactly = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (matches_glob(item, names[i])) named.columns.push_back(i);
@@ -134,6 +156,9 @@ class Chooser {
     });
   }
 
+  // Whether an item names the column, and no other, to be used.
+  bool is_named(std::size_t column) const { return named_[column]; }
+
   Columns chosen() const {
     Columns columns;
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
@@ -157,6 +182,33 @@ class Chooser {
   std::vector<bool> chosen_;
   std::vector<bool> named_;  // by an item that names a single column to be used
 };
+
+// Columns that nothing but their place identifies are features only where they are chosen.
+Result<void> check_identified(const TableColumns& table, const Chooser& chooser,
+                              std::string_view where) {
+  if (table.names.empty()) return {};
+  Columns nameless;
+  std::map<std::string, std::size_t> first;
+  for (const std::size_t column : table.features) {
+    if (chooser.is_named(column)) continue;
+    const std::string& name = table.names[column];
+    if (is_nameless(name, column)) {
+      nameless.push_back(column);
+      continue;
+    }
+    const auto [twin, is_new] = first.emplace(name, column);
+    if (is_new) continue;
+    return fail(ErrorKind::kData,
+                fmt::format("columns {} and {} are both named {}", twin->second + 1, column + 1,
+                            shown(name)),
+                std::string(where),
+                fmt::format("rename one of them, or leave one out with --skip {}",
+                            columns_by_number(table.names, {column})));
+  }
+  if (nameless.empty()) return {};
+  return fail(nameless_columns(nameless, table.width, where,
+                               "use --skip " + columns_by_number(table.names, nameless)));
+}
 
 tl::unexpected<Error> missing_feature(const std::string& name, const TableColumns& table,
                                       std::string_view where) {
@@ -234,7 +286,9 @@ Result<TableColumns> choose_columns(const ColumnChoice& choice, TableColumns tab
         std::string(where),
         chosen ? "use more columns, or skip fewer" : "check the separator and the label column");
   }
-  if (!choice.features.empty() && !table.names.empty()) {
+  if (choice.features.empty() || table.names.empty()) {
+    SOMATO_TRY_VOID(check_identified(table, chooser, where));
+  } else {
     SOMATO_TRY(table.features, pick(choice.features, table, where));
   }
   table.scales = scales_by_column(choice.scales, table.features);

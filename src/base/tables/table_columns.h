@@ -30,7 +30,8 @@ struct TableColumns {
 /// Errors: kUsage for an item that matches no column, is listed twice or matches two columns with
 /// one name, for a column with two different roles (used and skipped, label and used or skipped; a
 /// column matched by a pattern or a range may be skipped), and if no column is left; kData if a
-/// column of `choice.features` is missing or ambiguous.
+/// column of `choice.features` is missing or ambiguous, or if, without these, features that no item
+/// of `choice.use` names have no name (see is_nameless()) or the same name.
 Result<TableColumns> choose_columns(const ColumnChoice& choice, TableColumns table,
                                     std::string_view where);
 

@@ -8,8 +8,11 @@
 #include <utility>
 
 #include "base/files/whole_file.h"
+#include "base/tables/csv_dialect.h"
+#include "base/tables/csv_header.h"
 #include "base/tables/csv_number.h"
 #include "base/tables/csv_records.h"
+#include "base/tables/csv_text.h"
 #include "base/text/text.h"
 #include "recordings/explorations/nanoseconds.h"
 
@@ -17,13 +20,19 @@ namespace somato {
 namespace {
 
 // The column of that name in the head of the table.
-Result<std::size_t> column_named(const std::vector<CsvField>& head, std::string_view name,
+Result<std::size_t> column_named(const std::vector<std::string>& head, std::string_view name,
                                  const std::string& path) {
-  const auto found = std::find_if(head.begin(), head.end(),
-                                  [&](const CsvField& field) { return field.text == name; });
+  const auto found = std::find(head.begin(), head.end(), name);
   if (found != head.end()) return static_cast<std::size_t>(found - head.begin());
   return fail(ErrorKind::kData, fmt::format("there is no column '{}'", name), path,
               "write the columns begin and end, in seconds since the first message of the bag");
+}
+
+Result<void> refuse_nameless(const std::vector<std::string>& head, const std::string& path) {
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    if (is_nameless(head[i], i)) return fail(nameless_columns({i}, head.size(), path, "name it"));
+  }
+  return {};
 }
 
 Result<std::int64_t> time_in(const CsvField& field, const CsvRecords& records) {
@@ -41,13 +50,13 @@ Result<std::vector<BagSpan>> read_span_table(const std::string& path) {
   SOMATO_TRY(const std::string bytes, read_whole(path));
   SOMATO_TRY(const std::string_view text, text_of(bytes, path));
   CsvRecords records(text, path);
-  const char separator = records.guess_separator();
-  std::vector<CsvField> head;
-  SOMATO_TRY_VOID(records.next(separator, head));
+  std::vector<CsvField> fields;
+  SOMATO_TRY(const char separator, begin_csv(records, DecimalMark::kPoint, {}, fields));
+  const std::vector<std::string> head = names_in_header(fields);
+  SOMATO_TRY_VOID(refuse_nameless(head, path));
   SOMATO_TRY(const std::size_t begin, column_named(head, "begin", path));
   SOMATO_TRY(const std::size_t end, column_named(head, "end", path));
   std::vector<BagSpan> spans;
-  std::vector<CsvField> fields;
   std::int64_t latest = std::numeric_limits<std::int64_t>::min();
   for (;;) {
     SOMATO_TRY_VOID(records.next(separator, fields));
@@ -66,7 +75,7 @@ Result<std::vector<BagSpan>> read_span_table(const std::string& path) {
     }
     latest = span.end;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (i != begin && i != end) span.labels.push_back({head[i].text, fields[i].text});
+      if (i != begin && i != end) span.labels.push_back({head[i], unguarded_text(fields[i].text)});
     }
     spans.push_back(std::move(span));
   }

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "recordings/explorations/clock_times.h"
+
 namespace somato {
 
 inline constexpr double kLatestSecond = 9e9;  // About 285 years; nanoseconds fit into 63 bits.
@@ -31,8 +33,7 @@ inline double seconds_of(std::int64_t nanoseconds) {
 /// Whether a time since 1970 is one of the calendar, from the year 2000 on: clocks that were not
 /// set, and those of simulations, count from 1970 or from a start.
 inline constexpr bool is_of_calendar(std::int64_t nanoseconds) {
-  constexpr std::int64_t kYear2000 = 946'684'800 * kNanosecondsASecond;
-  return nanoseconds >= kYear2000;
+  return nanoseconds >= static_cast<std::int64_t>(kYear2000) * kNanosecondsASecond;
 }
 
 /// A time since 1970 in words: "2023-11-14 22:13:20 UTC" for one of the calendar, "12.5 s" for

@@ -19,7 +19,7 @@ Result<Recording> import_fabricslide(const std::filesystem::path& folder) {
 
   CsvImport description;
   description.trials.files = kFabricslideFiles;
-  description.trials.time = "timestamp";
+  description.trials.time = {"timestamp"};
   description.trials.time_unit = TimeUnit::kMilliseconds;
   description.trials.ignore = {"proximity1", "proximity2"};
   description.channels = {touch, speed};

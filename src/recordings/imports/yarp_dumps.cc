@@ -16,6 +16,7 @@
 
 #include "base/files/whole_file.h"
 #include "base/text/text.h"
+#include "recordings/explorations/clock_times.h"
 #include "recordings/explorations/element_order.h"
 #include "recordings/tables/files_below.h"
 #include "recordings/tables/name_pattern.h"
@@ -285,6 +286,19 @@ Result<std::optional<Channel>> read_dump(const Dump& dump, ElementOrder& order,
   return channel;
 }
 
+// A dump without time stamps, or of a computer whose clock was not set, would lie decades apart.
+Result<void> check_clocks(const Exploration& exploration) {
+  ClockTimes clock;
+  for (const Channel& channel : exploration.channels) {
+    for (const double time : channel.times) {
+      clock.take(
+          time, [&] { return fmt::format("{}", time); },
+          [&] { return (std::filesystem::path(exploration.source) / channel.name).string(); });
+    }
+  }
+  return clock.check("the dumps");
+}
+
 void make_times_relative(Exploration& exploration) {
   double first = exploration.channels.front().times.front();
   for (const Channel& channel : exploration.channels)
@@ -319,6 +333,7 @@ Result<YarpImport> import_yarp_dumps(const std::filesystem::path& folder, const 
     return fail(ErrorKind::kData, "no dump contains numbers", folder.string());
   }
   for (Exploration& exploration : explorations) {
+    SOMATO_TRY_VOID(check_clocks(exploration));
     make_times_relative(exploration);
     Result<void> alike = check_alike(exploration, explorations.front());
     if (!alike) {

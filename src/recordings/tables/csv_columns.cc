@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/tables/csv_header.h"
 #include "base/tables/csv_number.h"
 #include "base/text/text.h"
 #include "recordings/tables/column_names.h"
@@ -33,6 +34,9 @@ class ColumnFinder {
       : description_(description), layout_(layout), names_(names) {
     found_.columns.resize(names.size());
     for (std::size_t i = 0; i < names.size(); ++i) places_.emplace(names[i], i);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (is_nameless(names[i], i)) places_.emplace(number_of(i), i);
+    }
   }
 
   Result<CsvColumns> find() && {
@@ -42,7 +46,9 @@ class ColumnFinder {
     if (!done) return fail(std::move(done.error()));
     for (std::size_t i = 0; i < names_.size(); ++i) {
       const bool used = found_.columns[i].use != CsvUse::kNothing;
-      if (!used && !is_ignored_[i]) found_.others.push_back(names_[i]);
+      if (used || is_ignored_[i]) continue;
+      found_.others.push_back(names_[i]);
+      if (is_nameless(names_[i], i)) found_.nameless.push_back(i);
     }
     return std::move(found_);
   }
@@ -52,6 +58,7 @@ class ColumnFinder {
     is_ignored_.resize(names_.size());
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (layout_.ignored.contains(names_[i])) ignore(i, names_[i]);
+      if (is_at(number_of(i), i) && layout_.ignored.contains(number_of(i))) ignore(i, number_of(i));
       for (const std::string& pattern : layout_.ignored_patterns) {
         if (fits_column_pattern(pattern, names_[i])) ignore(i, pattern);
       }
@@ -66,7 +73,9 @@ class ColumnFinder {
   Result<void> find_trials() {
     const CsvTrials& trials = description_.trials;
     Result<void> found;
-    if (!trials.time.empty()) found = take_named(trials.time, {CsvUse::kTime});
+    for (std::size_t i = 0; found && i < trials.time.size(); ++i) {
+      found = take_named(trials.time[i], {CsvUse::kTime, 0, i});
+    }
     if (found && !trials.exploration.empty()) {
       found = take_named(trials.exploration, {CsvUse::kExploration});
     }
@@ -84,7 +93,7 @@ class ColumnFinder {
       const bool pattern = is_column_pattern(entry);
       auto taken = pattern ? take_fitting(entry, next, columns) : take_named(entry, next);
       if (!taken) return taken;
-      if (!pattern) columns.push_back(entry);
+      if (!pattern) columns.push_back(names_[places_.at(entry)]);
       patterns = patterns || pattern;
     }
     if (!patterns) return {};
@@ -94,6 +103,12 @@ class ColumnFinder {
   Result<void> take_named(const std::string& name, CsvColumn column) {
     const auto place = places_.find(name);
     if (place == places_.end()) return missing(name);
+    if (found_.columns[place->second].use != CsvUse::kNothing) {
+      return fail(
+          ErrorKind::kData,
+          fmt::format("column {} is mentioned twice, by name and by number", place->second + 1), {},
+          "mention it once");
+    }
     found_.columns[place->second] = column;
     return {};
   }
@@ -103,7 +118,7 @@ class ColumnFinder {
     const std::size_t before = columns.size();
     bool fits = false;
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (!fits_column_pattern(pattern, names_[i])) continue;
+      if (!fits_column_pattern(pattern, names_[i]) || is_nameless(names_[i], i)) continue;
       fits = true;
       if (is_ignored_[i] || layout_.named.contains(names_[i])) continue;
       CsvColumn& column = found_.columns[i];
@@ -119,6 +134,13 @@ class ColumnFinder {
         ErrorKind::kData,
         fmt::format("all columns that match {} are ignored or already used", shown(pattern)), {},
         "leave the pattern out, or correct it");
+  }
+
+  static std::string number_of(std::size_t column) { return std::to_string(column + 1); }
+
+  bool is_at(const std::string& entry, std::size_t column) const {
+    const auto place = places_.find(entry);
+    return place != places_.end() && place->second == column;
   }
 
   Result<void> missing(const std::string& name) const {
@@ -185,7 +207,7 @@ Result<CsvLayout> csv_layout_of(const CsvImport& description) {
     if (is_column_pattern(column)) patterns.push_back(column);
     layout.ignored.insert(std::move(column));
   }
-  layout.named.insert(description.trials.time);
+  layout.named.insert(description.trials.time.begin(), description.trials.time.end());
   layout.named.insert(description.trials.exploration);
   layout.named.insert(description.trials.labels.begin(), description.trials.labels.end());
   return layout;

@@ -27,20 +27,22 @@ enum class CsvUse { kNothing, kTime, kExploration, kLabel, kValue };
 struct CsvColumn {
   CsvUse use = CsvUse::kNothing;
   std::size_t channel = 0;  ///< The channel of a value.
-  std::size_t element =
-      0;  ///< Index of a value; for a label its index among the labels of columns.
+  /// Index of a value; of a label or a time its index among the labels or the times of columns.
+  std::size_t element = 0;
 };
 
 /// The columns of one file.
 struct CsvColumns {
   std::vector<CsvColumn> columns;                  ///< In the order of the file.
   std::vector<std::vector<std::string>> channels;  ///< The columns' names of each channel.
-  std::set<std::string> ignored;    ///< Those of the layout's ignored columns that it has.
-  std::vector<std::string> others;  ///< Those that are mentioned nowhere.
+  std::set<std::string> ignored;      ///< Those of the layout's ignored columns that it has.
+  std::vector<std::string> others;    ///< Those that are mentioned nowhere.
+  std::vector<std::size_t> nameless;  ///< The indices of those among them that have no name.
 };
 
 /// Finds the columns of a file whose columns have these `names`. A pattern takes the columns that
-/// fit, in the order of the file, except those that are named anywhere or ignored.
+/// fit, in the order of the file, except those that are named anywhere or ignored, and those
+/// without a name (see is_nameless()), which may be mentioned by number.
 /// Errors (without a place): kData for a missing column and a pattern without columns, with the
 /// nearest name, and for a column that two channels take; kUsage as check_csv_shape().
 Result<CsvColumns> find_csv_columns(const CsvImport& description, const CsvLayout& layout,

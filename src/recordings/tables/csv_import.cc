@@ -48,7 +48,8 @@ const std::vector<std::pair<TimeUnit, std::string>>& Choices<TimeUnit>::all() {
       {TimeUnit::kSeconds, "s"},
       {TimeUnit::kMilliseconds, "ms"},
       {TimeUnit::kMicroseconds, "us"},
-      {TimeUnit::kNanoseconds, "ns"}};
+      {TimeUnit::kNanoseconds, "ns"},
+      {TimeUnit::kIso, "iso"}};
   return choices;
 }
 
@@ -95,16 +96,22 @@ const Declarations<CsvTrials>& CsvTrials::declarations() {
           .add("header", &P::header, "", Range::any(),
                "Whether the first line contains the names of the columns; otherwise they are named "
                "1, 2, 3 and so on.")
-          .add("time", &P::time, "", Range::any(), "Column with the time of each row; empty: none.")
-          .add("time_unit", &P::time_unit, "", Range::any(), "Unit of that column.")
+          .add("decimal", &P::decimal, "", Range::any(),
+               "Decimal separator of numbers: a point, or a comma as in many spreadsheets.")
+          .add(
+              "time", &P::time, "", Range::any(),
+              "Column with the time of each row, or with time_unit = \"iso\" two columns, with the "
+              "date and the time of day; empty: none.")
+          .add("time_unit", &P::time_unit, "", Range::any(),
+               "Unit of that column; iso: dates and times in ISO 8601, such as "
+               "2025-04-17T17:00:08.25+02:00.")
           .add("rate", &P::rate, "Hz", Range::at_least(0),
                "Rows per second if no column contains the time; 0: unknown.")
           .add("missing", &P::missing, "", Range::any(),
                "Whether a field that is empty, NaN, NA or null is an error or marked as invalid.")
           .add("ignore", &P::ignore, "", Range::any(),
                "Columns to leave out, by name, as ranges such as aux1..aux8 or as patterns "
-               "such as "
-               "aux_*.")
+               "such as aux_*; columns without names by number.")
           .add("other_columns", &P::other_columns, "", Range::any(),
                "Treatment of columns that are not mentioned.")
           .add("other_files", &P::other_files, "", Range::any(),

@@ -37,6 +37,16 @@ Result<void> check_rate(const CsvTrials& trials) {
   return wrong("there are both 'time' and 'rate'", "keep the correct one");
 }
 
+Result<void> check_time(const CsvTrials& trials) {
+  if (trials.time.size() > 2) {
+    return wrong(fmt::format("'time' has {} columns", trials.time.size()),
+                 "name one column, or those of the date and of the time of day");
+  }
+  if (trials.time.size() < 2 || trials.time_unit == TimeUnit::kIso) return {};
+  return wrong("'time' has two columns, but numbers are in one",
+               "write time_unit = \"iso\" (--time-unit iso) for dates and times of day");
+}
+
 Result<void> check_window(const CsvTrials& trials) {
   if (trials.overlap > 0 && !trials.window) {
     return wrong("there is 'overlap', but no 'window'", "write for example window = 500");
@@ -87,6 +97,7 @@ Result<void> check_labels(const CsvTrials& trials) {
 Result<void> check_trials(const CsvTrials& trials) {
   return check_pattern(trials)
       .and_then([&] { return check_rate(trials); })
+      .and_then([&] { return check_time(trials); })
       .and_then([&] { return check_window(trials); })
       .and_then([&] { return check_rows(trials); })
       .and_then([&] { return check_exploration(trials); })
@@ -150,7 +161,12 @@ Result<void> check_ignored(const CsvTrials& trials, const std::set<std::string>&
 
 // The columns of times, explorations and labels.
 Result<std::set<std::string>> columns_of_trials(const CsvTrials& trials) {
-  std::set<std::string> taken{trials.time};
+  std::set<std::string> taken;
+  for (const std::string& column : trials.time) {
+    if (column.empty()) return wrong("'time': a column has no name", "name it, or leave it out");
+    if (taken.insert(column).second) continue;
+    return wrong(fmt::format("column '{}' is used twice", column), "name each column once");
+  }
   if (!trials.exploration.empty() && !taken.insert(trials.exploration).second) {
     return wrong(fmt::format("column '{}' is used twice", trials.exploration),
                  "name each column once");

@@ -21,10 +21,18 @@
 namespace somato {
 namespace {
 
+// The decimal mark of a label: names of files have points.
+DecimalMark decimal_of(const CsvTrials& trials, const std::string& label) {
+  const auto& columns = trials.labels;
+  const bool is_column = std::find(columns.begin(), columns.end(), label) != columns.end();
+  return is_column ? trials.decimal : DecimalMark::kPoint;
+}
+
 // The frame of a channel that is made of a label.
-Result<Matrix<float>> frame_of_label(const CsvChannel& channel, const Exploration& exploration) {
+Result<Matrix<float>> frame_of_label(const CsvChannel& channel, DecimalMark decimal,
+                                     const Exploration& exploration) {
   SOMATO_TRY(const auto value, find_label(exploration, channel.from_label));
-  const auto [meaning, number] = read_csv_number<double>(value);
+  const auto [meaning, number] = read_csv_number<double>(value, decimal);
   const auto kept =
       meaning == CsvMeaning::kNumber ? csv_value(channel, number) : std::optional<float>();
   if (kept) return Matrix<float>(1, 1, *kept);
@@ -36,8 +44,11 @@ Result<Matrix<float>> frame_of_label(const CsvChannel& channel, const Exploratio
 
 Result<void> fill_from_labels(const CsvImport& description, Exploration& exploration) {
   for (std::size_t c = 0; c < exploration.channels.size(); ++c) {
-    if (description.channels[c].from_label.empty()) continue;
-    SOMATO_TRY(auto frame, frame_of_label(description.channels[c], exploration));
+    const CsvChannel& channel = description.channels[c];
+    if (channel.from_label.empty()) continue;
+    SOMATO_TRY(
+        auto frame,
+        frame_of_label(channel, decimal_of(description.trials, channel.from_label), exploration));
     exploration.channels[c].frames = std::move(frame);
   }
   return {};
@@ -82,6 +93,50 @@ Result<void> check_name(const CsvTrials& trials, const TrialFile& file) {
               "rename the file or its folder");
 }
 
+// Files with something in common: their number, and the first.
+struct FilesAlike {
+  std::size_t count = 0;
+  std::string first;
+
+  void add(const std::string& path) {
+    if (count++ == 0) first = path;
+  }
+
+  std::string text() const {
+    return count == 1 ? first : fmt::format("{} files, such as {}", count, first);
+  }
+};
+
+// Looks for clocks that were not set, from file to file.
+class FileClocks {
+ public:
+  void add(const CsvClock& clock, const std::string& path) {
+    if (clock.is_constant) constant_.add(path);
+    if (clock.has_times) (clock.is_of_epoch ? of_epoch_ : before_).add(path);
+  }
+
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> warnings;
+    if (constant_.count > 0) {
+      warnings.push_back(fmt::format(
+          "the time is the same in all rows of {}: import without times, or with a rate",
+          constant_.text()));
+    }
+    if (of_epoch_.count > 0 && before_.count > 0) {
+      warnings.push_back(
+          fmt::format("the times of {} are before the year 2000, those of {} are not: the clock "
+                      "may not have been set",
+                      before_.text(), of_epoch_.text()));
+    }
+    return warnings;
+  }
+
+ private:
+  FilesAlike constant_;
+  FilesAlike of_epoch_;
+  FilesAlike before_;
+};
+
 // Makes the explorations of one file after the other.
 class TrialImport {
  public:
@@ -92,8 +147,9 @@ class TrialImport {
     SOMATO_TRY_VOID(check_name(description_.trials, file));
     SOMATO_TRY(auto trial, read_trial(description_, layout_, common_, file));
     const CsvWindows divided = windows_of(description_.trials, trial.parts);
-    left_out_.rows += divided.left_out;
-    left_out_.files += divided.windows.empty() ? 1 : 0;
+    clocks_.add(trial.clock, file.path);
+    report_.rows_left_out += divided.left_out;
+    report_.files_left_out += divided.windows.empty() ? 1 : 0;
     longest_ = std::max(longest_, longest_part(trial.parts));
     Result<void> added;
     for (std::size_t i = 0; added && i < divided.windows.size(); ++i) {
@@ -113,7 +169,11 @@ class TrialImport {
                 where, "make 'window' smaller");
   }
 
-  const CsvLeftOut& left_out() const { return left_out_; }
+  CsvImportReport report() const {
+    CsvImportReport report = report_;
+    report.warnings = clocks_.warnings();
+    return report;
+  }
 
  private:
   static std::size_t longest_part(const std::vector<LabelledRows>& parts) {
@@ -139,14 +199,15 @@ class TrialImport {
   const CsvLayout& layout_;
   CsvFilesInCommon common_;
   Recording recording_;
-  CsvLeftOut left_out_;
+  CsvImportReport report_;
+  FileClocks clocks_;
   std::size_t longest_ = 0;
 };
 
 }  // namespace
 
 Result<Recording> import_csv_trials(const std::filesystem::path& folder,
-                                    const CsvImport& description, CsvLeftOut* left_out) {
+                                    const CsvImport& description, CsvImportReport* report) {
   SOMATO_TRY_VOID(check_csv_import(description));
   SOMATO_TRY(const CsvLayout layout, csv_layout_of(description));
   SOMATO_TRY(const auto files, files_at(folder, description.trials));
@@ -154,7 +215,7 @@ Result<Recording> import_csv_trials(const std::filesystem::path& folder,
   for (const TrialFile& file : files) {
     SOMATO_TRY_VOID(import.add(file));
   }
-  if (left_out) *left_out = import.left_out();
+  if (report) *report = import.report();
   return import.finish(folder.string());
 }
 

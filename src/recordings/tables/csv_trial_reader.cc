@@ -10,29 +10,19 @@
 #include <utility>
 
 #include "base/tables/column_precision.h"
+#include "base/tables/csv_dialect.h"
+#include "base/tables/csv_header.h"
 #include "base/tables/csv_number.h"
 #include "base/tables/csv_records.h"
+#include "base/tables/csv_text.h"
 #include "base/text/text.h"
 #include "recordings/tables/csv_import_check.h"
+#include "recordings/tables/csv_times.h"
 
 namespace somato {
 namespace {
 
 constexpr std::size_t kLongestFloat = 32;  // Characters; to_chars() requires 15.
-
-double units_per_second(TimeUnit unit) {
-  switch (unit) {
-    case TimeUnit::kSeconds:
-      return 1.0;
-    case TimeUnit::kMilliseconds:
-      return 1e3;
-    case TimeUnit::kMicroseconds:
-      return 1e6;
-    case TimeUnit::kNanoseconds:
-      return 1e9;
-  }
-  return 1.0;
-}
 
 double scaled(const CsvChannel& channel, double number) {
   const double value = channel.factor * number;
@@ -67,14 +57,14 @@ class TrialReader {
         records_(text, where),
         where_(where),
         labels_(description.trials.labels.size()),
+        times_(description.trials, records_),
         read_(description.channels.size()) {}
 
   Result<CsvTrial> read() {
-    separator_ = records_.guess_separator();
-    auto done =
-        next().and_then([&] { return read_header(); }).and_then([&] { return read_rows(); });
+    SOMATO_TRY(separator_, begin_csv(records_, description_.trials.decimal, {}, fields_));
+    auto done = read_header().and_then([&] { return read_rows(); });
     if (!done) return fail(std::move(done.error()));
-    return CsvTrial{channels(), std::move(parts_)};
+    return CsvTrial{channels(), std::move(parts_), times_.clock()};
   }
 
  private:
@@ -89,14 +79,17 @@ class TrialReader {
 
   Result<void> read_header() {
     if (fields_.empty()) return no_rows();
-    std::vector<std::string> names;
-    names.reserve(fields_.size());
-    for (const CsvField& field : fields_) {
-      names.push_back(description_.trials.header ? field.text : std::to_string(names.size() + 1));
-    }
-    Result<void> used = use_columns(names);
+    Result<void> used = use_columns(names_of_columns());
     if (!used || !description_.trials.header) return used;
     return next();
+  }
+
+  std::vector<std::string> names_of_columns() const {
+    if (description_.trials.header) return names_in_header(fields_);
+    std::vector<std::string> names;
+    names.reserve(fields_.size());
+    for (std::size_t i = 1; i <= fields_.size(); ++i) names.push_back(std::to_string(i));
+    return names;
   }
 
   Result<void> use_columns(const std::vector<std::string>& names) {
@@ -106,7 +99,7 @@ class TrialReader {
       return fail(std::move(found.error()));
     }
     columns_ = std::move(*found);
-    return refuse_duplicates(names).and_then([&] { return refuse_others(); }).and_then([&] {
+    return refuse_duplicates(names).and_then([&] { return refuse_others(names); }).and_then([&] {
       return common_.take(columns_, names, where_);
     });
   }
@@ -123,15 +116,22 @@ class TrialReader {
     return {};
   }
 
-  Result<void> refuse_others() const {
+  Result<void> refuse_others(const std::vector<std::string>& names) const {
     const bool ignore = description_.trials.other_columns == Unmentioned::kIgnore;
     if (ignore || columns_.others.empty()) return {};
+    if (columns_.nameless.size() == columns_.others.size()) return refuse_nameless(names);
     std::vector<std::string> others;
     others.reserve(columns_.others.size());
     for (const std::string& name : columns_.others) others.push_back(shown(name));
     return fail(ErrorKind::kData,
                 fmt::format("columns that are not mentioned: {}", fmt::join(others, ", ")),
                 line_place(), "assign them to a channel, or list them under 'ignore'");
+  }
+
+  Result<void> refuse_nameless(const std::vector<std::string>& names) const {
+    const std::string columns = columns_by_number(names, columns_.nameless);
+    return fail(nameless_columns(columns_.nameless, names.size(), line_place(),
+                                 fmt::format("use --ignore {} (key 'ignore')", columns)));
   }
 
   Result<void> read_rows() {
@@ -144,15 +144,14 @@ class TrialReader {
       auto kept = read_[c].precision.check(columns_.channels[c], where_);
       if (!kept) return kept;
     }
-    return {};
+    return times_.check();
   }
 
   Result<void> read_row() {
     if (fields_.size() != columns_.columns.size()) {
-      return fail(
-          ErrorKind::kData,
-          fmt::format("expected {} fields, found {}", columns_.columns.size(), fields_.size()),
-          line_place(), "repair or remove the file");
+      return fail(wrong_number_of_fields(fields_, columns_.columns.size(),
+                                         rows_ == 0 && description_.trials.header, line_place(),
+                                         "repair or remove the file"));
     }
     for (std::size_t c = 0; c < read_.size(); ++c) {
       read_[c].values.resize(read_[c].values.size() + columns_.channels[c].size());
@@ -162,7 +161,9 @@ class TrialReader {
     for (std::size_t i = 0; read && i < fields_.size(); ++i) {
       read = read_field(fields_[i], columns_.columns[i]);
     }
-    return read.and_then([&] { return add_to_part(); }).and_then([&] { return add_time(); });
+    return read.and_then([&] { return add_to_part(); }).and_then([&] {
+      return times_.end_row(begins_exploration_);
+    });
   }
 
   Result<void> read_field(const CsvField& field, const CsvColumn& column) {
@@ -170,7 +171,8 @@ class TrialReader {
       case CsvUse::kNothing:
         return {};
       case CsvUse::kTime:
-        return read_time(field);
+        times_.take(field, column.element);
+        return {};
       case CsvUse::kExploration:
         return read_label(field, description_.trials.exploration, exploration_);
       case CsvUse::kLabel:
@@ -196,7 +198,7 @@ class TrialReader {
                       name, shown(field.text)),
           records_.place(field), "correct it");
     }
-    value = field.text;
+    value = unguarded_text(field.text);
     return {};
   }
 
@@ -215,34 +217,11 @@ class TrialReader {
     return {};
   }
 
-  Result<void> read_time(const CsvField& field) {
-    const auto [meaning, time] = read_csv_number<double>(field.text);
-    if (meaning != CsvMeaning::kNumber) return refuse(field, meaning);
-    time_ = time;
-    time_field_ = &field;
-    return {};
-  }
-
-  // The times of each exploration of a column of explorations begin at 0.
-  Result<void> add_time() {
-    if (!time_field_) return {};
-    if (begins_exploration_) first_time_ = time_;
-    const double seconds = (time_ - first_time_) / units_per_second(description_.trials.time_unit);
-    if (begins_exploration_ || seconds >= times_.back()) {
-      times_.push_back(seconds);
-      return {};
-    }
-    return fail(
-        ErrorKind::kData,
-        fmt::format("the time decreases: {} follows a later time", shown(time_field_->text)),
-        records_.place(*time_field_), "repair or remove the file");
-  }
-
   Result<void> read_value(const CsvField& field, const CsvColumn& slot) {
     Values& read = read_[slot.channel];
     const std::size_t at =
         read.values.size() - columns_.channels[slot.channel].size() + slot.element;
-    const auto [meaning, number] = read_csv_number<double>(field.text);
+    const auto [meaning, number] = read_csv_number<double>(field.text, description_.trials.decimal);
     if (meaning == CsvMeaning::kMissing && description_.trials.missing == MissingValues::kMask) {
       read.valid[at] = 0;
       read.all_valid = false;
@@ -258,7 +237,7 @@ class TrialReader {
   }
 
   Result<void> refuse(const CsvField& field, CsvMeaning meaning) const {
-    auto refused = no_csv_number(field, meaning, records_.place(field),
+    auto refused = no_csv_number(field, meaning, description_.trials.decimal, records_.place(field),
                                  "correct it, or list its column under 'ignore'");
     if (meaning == CsvMeaning::kMissing) {
       refused.value().advice = "fill in a number, or import with missing = \"mask\"";
@@ -271,7 +250,7 @@ class TrialReader {
   }
 
   // The place of the last record.
-  std::string line_place() const { return fmt::format("{}:{}", where_, fields_[0].line); }
+  std::string line_place() const { return records_.line_place(fields_[0]); }
 
   std::vector<Channel> channels() {
     std::vector<Channel> channels;
@@ -292,7 +271,7 @@ class TrialReader {
     const std::size_t rows = read.values.size() / columns;
     channel.frames = Matrix<float>(rows, columns, std::move(read.values));
     if (!read.all_valid) channel.valid = Matrix<std::uint8_t>(rows, columns, std::move(read.valid));
-    channel.times = times_;
+    channel.times = times_.seconds();
     channel.rate = description_.trials.rate;
   }
 
@@ -305,16 +284,13 @@ class TrialReader {
   std::vector<CsvField> fields_;
   CsvColumns columns_;
   std::vector<std::string> labels_;  // The labels of the last row.
+  CsvTimes times_;
   std::vector<LabelledRows> parts_;
   std::size_t rows_ = 0;
   std::vector<Values> read_;  // The values of each channel.
-  std::vector<double> times_;
-  std::string exploration_;  // That of the last row, and of the row before it.
+  std::string exploration_;   // That of the last row, and of the row before it.
   std::string last_exploration_;
   bool begins_exploration_ = false;
-  double time_ = 0.0;  // The time of the last row.
-  const CsvField* time_field_ = nullptr;
-  double first_time_ = 0.0;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "recordings/tables/csv_columns.h"
+#include "recordings/tables/csv_times.h"
 #include "somato/core/result.h"
 #include "somato/recording/csv_import.h"
 #include "somato/recording/recording.h"
@@ -24,6 +25,7 @@ struct LabelledRows {
 struct CsvTrial {
   std::vector<Channel> channels;
   std::vector<LabelledRows> parts;
+  CsvClock clock;
 };
 
 /// The value of `channel` from a number of a file or its name, or nothing if it is too large.

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/text/text.h"
 #include "somato/core/value.h"
 #include "somato/files/csv.h"
 
@@ -15,9 +16,9 @@ namespace {
 
 constexpr std::size_t kPartBytes = std::size_t{1} << 16;
 
-// Whether an import takes the column's name for a range or a pattern.
+// Whether an import takes the column's name for none, a range or a pattern.
 bool is_special(const std::string& name) {
-  return name.empty() || name.find("..") != std::string::npos ||
+  return trimmed(name).empty() || name.find("..") != std::string::npos ||
          name.find('*') != std::string::npos;
 }
 

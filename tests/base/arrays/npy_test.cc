@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -91,6 +92,27 @@ TEST(Npy, ReadsFloatingPointOfEitherByteOrder) {
   }
 }
 
+// The values are published examples of binary16, from the least number, 2^-24, to the greatest.
+TEST(Npy, ReadsHalfPrecisionInBothByteOrders) {
+  const std::pair<std::uint16_t, float> numbers[] = {
+      {0x0000, 0.0F},          {0x0001, 5.9604645e-8F}, {0x03ff, 6.0975552e-5F},
+      {0x0400, 6.1035156e-5F}, {0x3555, 0.33325195F},   {0x3bff, 0.99951172F},
+      {0x3c00, 1.0F},          {0x7bff, 65504.0F},      {0xc000, -2.0F}};
+  for (const bool big : {false, true}) {
+    for (const auto& [bits, number] : numbers) {
+      const std::string bytes =
+          file(header(big ? ">f2" : "<f2", "(1,)"), number_bytes(bits, 2, big));
+      EXPECT_EQ(decode_npy(bytes, "f").value(), Matrix<float>(1, 1, number)) << number;
+    }
+    for (const std::uint64_t bits : {0x7c00U, 0xfc00U, 0x7e00U}) {
+      EXPECT_FALSE(
+          decode_npy(file(header(big ? ">f2" : "<f2", "(1,)"), number_bytes(bits, 2, big)), "f"));
+    }
+  }
+  const std::string negative = file(header("<f2", "(1,)"), number_bytes(0x8000, 2, false));
+  EXPECT_TRUE(std::signbit(decode_npy(negative, "f").value()(0, 0)));
+}
+
 TEST(Npy, ReadsIntegersOfEverySizeAndByteOrder) {
   for (const int size : {1, 2, 4, 8}) {
     for (const bool big : {false, true}) {
@@ -149,7 +171,7 @@ TEST(Npy, RefusesHeadersNumpyDoesNotWrite) {
 }
 
 TEST(Npy, RefusesOtherTypes) {
-  for (const char* type : {"|O", "<c8", "<U4", "<f2", "|f4", "f4", "=f4", "<M8[s]", ""}) {
+  for (const char* type : {"|O", "<c8", "<U4", "<f1", "|f2", "|f4", "f4", "=f4", "<M8[s]", ""}) {
     expect_npy_refused(file(header(type, "(6,)"), float_bytes(kSix)), "are not supported");
   }
   expect_npy_refused(file("{'descr': [('a', '<f4'), ('b', '<i4', (2,))], 'fortran_order': False, "

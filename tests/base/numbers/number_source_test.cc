@@ -153,7 +153,7 @@ TEST(NumberSource, ReadsChosenColumnsOfTextInPartsAsAtOnce) {
   CsvOptions options;
   options.columns.skip = {"note", "*c"};
   options.label_column = "kind";
-  options.decimal = ',';
+  options.decimal = DecimalMark::kComma;
   expect_as_whole(folder.with("x", "note;a;kind;b;cc\nx;1,5;cup;2;?\ny;3;ball;4,25;z\n"), options);
   EXPECT_EQ(read_numbers(folder.file("x"), options)->values,
             Matrix<float>(2, 2, {1.5F, 2, 3, 4.25F}));

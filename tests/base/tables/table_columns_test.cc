@@ -127,11 +127,30 @@ TEST(TableColumns, WithOneNameAreAmbiguous) {
   const TableColumns twins{4, {"x", "y", "x", "xy"}, {}, {}};
   expect_choice_refused({{"x"}, {}, {}}, twins, "two columns are named 'x'");
   expect_choice_refused({{}, {"x"}, {}}, twins, "two columns are named 'x'");
-  EXPECT_EQ(chosen({{"x*"}, {}, {}}, twins), (Columns{0, 2, 3}));
+  for (const ColumnChoice& choice : {ColumnChoice{}, {{"x*"}, {}, {}}}) {
+    expect_choice_refused(choice, twins, "columns 1 and 3 are both named 'x'", ErrorKind::kData);
+  }
+  EXPECT_EQ(chosen({{}, {"3"}, {}}, twins), (Columns{0, 1, 3}));
+  EXPECT_EQ(chosen({{"1", "3"}, {}, {}}, twins), (Columns{0, 2})) << "both, by number";
   EXPECT_EQ(chosen({{}, {}, {"x", "y", "x", "xy"}}, twins), (Columns{0, 1, 2, 3}))
       << "the very columns";
   EXPECT_EQ(chosen({{}, {}, {"xy", "y"}}, twins), (Columns{3, 1}));
   expect_choice_refused({{}, {}, {"x"}}, twins, "two columns are named 'x'", ErrorKind::kData);
+}
+
+TEST(TableColumns, WithoutNamesAmongOthersAreChosenByNumber) {
+  const TableColumns table{5, {"(column 1)", "a", "Unnamed: 2", "1", "(column 5)"}, {}, {}};
+  expect_choice_refused({}, table, "columns 1, 3, 5 have no names", ErrorKind::kData);
+  expect_choice_refused({}, table, "--skip '(column 1),3,5'", ErrorKind::kData);
+  EXPECT_EQ(chosen({{}, {"(column 1)", "3", "5"}, {}}, table), (Columns{1, 3}));
+  EXPECT_EQ(chosen({{"Unnamed: 2", "a"}, {}, {}}, table), (Columns{1, 2}));
+  EXPECT_EQ(chosen({{"5", "1"}, {}, {}}, table), (Columns{3, 4})) << "a name precedes a number";
+  expect_choice_refused({{"a", "(*"}, {}, {}}, table, "columns 1, 5 have no names",
+                        ErrorKind::kData);
+  expect_choice_refused({{}, {"2"}, {}}, table, "select them by name");
+  expect_choice_refused({{}, {"2..3"}, {}}, table, "select them by name");
+  expect_choice_refused({{}, {"6"}, {}}, table, "there is no column '6'");
+  EXPECT_EQ(chosen({{}, {}, {"a", "1"}}, table), (Columns{1, 3})) << "a model selects by name";
 }
 
 TEST(TableColumns, OfAModelArePickedByNameInItsOrder) {

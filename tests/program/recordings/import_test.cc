@@ -48,6 +48,41 @@ TEST_F(Import, DescribesCsvFilesByToml) {
             "(1)\n");
 }
 
+TEST_F(Import, ReadsTimesOfClocks) {
+  write("times.csv", "Date,Time,x\n2026-01-01,10:30:25.000,23.5\n2026-01-01,10:30:26.5,23.6\n");
+  const Words import{"import",  "csv",        "times.csv",  "-o", "out.mcap",
+                     "--files", "{name}.csv", "--channels", "f=x"};
+  const auto with = [&](const Words& more) {
+    Words all = import;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  output_of(with({"--time", "Date,Time", "--time-unit", "iso"}));
+  EXPECT_NE(output_of({"inspect", "out.mcap"}).find("1.5"), std::string::npos);
+  expect_refused(2, with({"--time", "Date,Time"}), {"'time' has two columns", "--time-unit iso"});
+  expect_refused(1, with({"--time", "Time", "--ignore", "Date"}),
+                 {"times.csv:2:12: '10:30:25.000' in column 'Time' is not a time in s",
+                  "import with --time-unit iso"});
+}
+
+TEST_F(Import, ReadsTablesOfSpreadsheets) {
+  write("sheet.csv", "sep=;\nt;x;\n0,00;1,5;\n0,5;2;\n");
+  const Words import{"import", "csv", "sheet.csv",  "-o",  "out.mcap", "--files", "{name}.csv",
+                     "--time", "t",   "--channels", "f=x", "--ignore", "3"};
+  expect_refused(1, import, {"sheet.csv:3:6: '1,5' is not a number", "use --decimal comma"});
+  Words with_comma = import;
+  with_comma.insert(with_comma.end(), {"--decimal", "comma"});
+  EXPECT_EQ(output_of(with_comma), "out.mcap: 1 explorations; labels: name; channels: f (1)\n");
+}
+
+TEST_F(Import, WarnsOfConstantTimes) {
+  write("trials/a_2.csv", "t,x,y\n5,5,6\n5,5,6\n");
+  EXPECT_NE(
+      output_of(csv(flags_))
+          .find("\nwarning: the time is the same in all rows of trials/a_2.csv: import without"),
+      std::string::npos);
+}
+
 TEST_F(Import, KnowsFormatsByNameAndOfItself) {
   std::filesystem::create_directory(path("hkust"));
   write("hkust/Material_Wood_raw_1.csv", "Fx,Fy,Fz\n1,2,3\n");

@@ -82,6 +82,35 @@ TEST_F(TableChoice, ColumnsWithoutNamesAreChosenByNumber) {
   expect_refused(1, {"som", "map", "x.map", "bare.npy"}, {"3 columns", "--columns-to-use"});
 }
 
+// Pandas writes its index without a name.
+TEST_F(TableChoice, ColumnsWithoutNamesAreRefusedUnlessTheirNumberIsGiven) {
+  write("index.csv", ",A,B\n0,1.5,2\n1,3,4\n2,5,6\n");
+  write("plain.csv", "A,B\n1.5,2\n3,4\n5,6\n");
+  const std::string expected = map_of({"plain.csv"});
+  for (const Words& memory : {Words{}, {kTablePieces}}) {
+    expect_refused(1, with(training({"index.csv"}), memory),
+                   {"index.csv: column 1 has no name", "index=False", "--skip 1"});
+    EXPECT_TRUE(map_of(with({"index.csv", "--skip", "1"}, memory)) == expected);
+    EXPECT_NE(said_.find("\nfeatures A, B\nleft_out (column 1)\n"), std::string::npos) << said_;
+    EXPECT_TRUE(map_of(with({"index.csv", "--columns-to-use", "A,B"}, memory)) == expected);
+    const ProgramRun mapped = run(with({"som", "map", "x.map", "index.csv"}, memory));
+    EXPECT_EQ(mapped.out, output_of({"som", "map", "x.map", "plain.csv"}));
+    EXPECT_EQ(mapped.err, "somato: index.csv: left out (column 1)\n");
+  }
+  map_of({"index.csv", "--columns-to-use", "1,A,B"});
+  EXPECT_NE(said_.find("of 3 features\nfeatures (column 1), A, B\n"), std::string::npos) << said_;
+  EXPECT_EQ(output_of({"som", "quality", "x.map", "index.csv"}).substr(0, 10), "samples 3\n");
+}
+
+TEST_F(TableChoice, TheLineOfSpreadsheetsDeclaresTheSeparator) {
+  write("plain.csv", "A,B\n1.5,2\n3,4\n");
+  write("sheet.csv", "sep=;\r\nA;B\r\n1,5;2\r\n3;4\r\n");
+  const std::string expected = map_of({"plain.csv"});
+  for (const Words& memory : {Words{}, {kTablePieces}}) {
+    EXPECT_TRUE(map_of(with({"sheet.csv", "--decimal", "comma"}, memory)) == expected);
+  }
+}
+
 TEST_F(TableChoice, NumberedNamesAreListedInShort) {
   write("taxels.csv", "t8,t9,t10,t11,x_01,x_02,y\n1,2,3,4,5,6,7\n2,3,4,5,6,8,9\n");
   map_of({"taxels.csv"});
@@ -133,7 +162,7 @@ TEST_F(TableChoice, IsRefusedWhereItIsWrong) {
           {train({"--skip", "mass,,id"}), {"--skip: a name is empty"}},
           {train({"--skip", "2"}), {"select them by name"}},
           {train({"--missing", "men"}), {"--missing: ", "'men'", "did you mean 'mean'?"}},
-          {train({"--decimal", ","}), {"--decimal: must be point or comma"}},
+          {train({"--decimal", ","}), {"--decimal: unknown decimal mark ','"}},
           {train({"--decimal", "comma"}), {"wide.csv:1: commas separate the fields"}}});
   for (const Words& memory : {Words{}, {kTablePieces}}) {
     expect_refused(

@@ -20,6 +20,17 @@ TEST(SpanTable, RowsAreSpansWithLabels) {
   EXPECT_EQ((*spans)[1].labels, (std::vector<Label>{{"object", "ball"}}));
 }
 
+TEST(SpanTable, FollowsTheRulesOfTables) {
+  const TemporaryFolder folder;
+  const auto spans =
+      read_span_table(folder.with("spans.csv", "sep=;\nobject;begin;end\n'=cup;0.5;1\n"));
+  ASSERT_TRUE(spans) << to_string(spans.error());
+  EXPECT_EQ(spans->at(0).labels, (std::vector<Label>{{"object", "=cup"}}));
+  const auto index = read_span_table(folder.with("i.csv", ",object,begin,end\n0,cup,0.5,1\n"));
+  ASSERT_FALSE(index);
+  EXPECT_EQ(index.error().what, "column 1 has no name");
+}
+
 TEST(SpanTable, OtherTablesAreRefused) {
   const TemporaryFolder folder;
   for (const std::string text : {"", "begin\n1\n", "begin,end\n", "begin,end\n1,x\n",

@@ -90,6 +90,15 @@ TEST_F(YarpDumps, ValuesWithNamesArePlacedByThem) {
       << refusal("{trial}");
 }
 
+TEST_F(YarpDumps, RefusesAClockThatWasNotSet) {
+  dump("arm", "0 12.5 1\n1 13.5 2\n");
+  dump("skin", "0 1594736418.25 1\n");
+  const std::string says = "arm: 2 of 3 times of the dumps are before the year 2000, first '12.5'";
+  EXPECT_TRUE(refusal().starts_with(says)) << refusal();
+  dump("skin", "0 12.5 1\n");
+  EXPECT_EQ(refusal(), "none");
+}
+
 TEST_F(YarpDumps, RefusesDamagedLines) {
   EXPECT_NE(refusal().find("there are no dumps of YARP"), std::string::npos);
   const std::vector<std::pair<std::string, std::string>> cases{

@@ -37,7 +37,7 @@ TEST_F(FindCsvColumns, TakesWhatFitsInTheOrderOfTheFile) {
 }
 
 TEST_F(FindCsvColumns, LeavesAPatternWhatNothingElseNames) {
-  plan_.trials.time = "t";
+  plan_.trials.time = {"t"};
   plan_.trials.labels = {"object"};
   plan_.trials.ignore = {"aux*", "c"};
   plan_.channels = {channel_of("rest", {"*"}), channel_of("force", {"f1..f2", "aux9"})};

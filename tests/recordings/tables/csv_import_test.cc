@@ -59,7 +59,7 @@ absolute = true
   EXPECT_EQ(all.trials.labels, Names{"10"});
   EXPECT_EQ(all.trials.window, 500U);
   EXPECT_EQ(all.trials.overlap, 250U);
-  EXPECT_EQ(all.trials.time, "1");
+  EXPECT_EQ(all.trials.time, Names{"1"});
   EXPECT_EQ(all.trials.time_unit, TimeUnit::kMicroseconds);
   EXPECT_EQ(all.trials.missing, MissingValues::kMask);
   EXPECT_EQ(all.trials.ignore, (Names{"7", "8..9"}));
@@ -82,7 +82,8 @@ TEST(ReadCsvImport, NeedsFilesAndAChannelOnly) {
   EXPECT_EQ(least.trials.rows, CsvRows::kFrames);
   EXPECT_EQ(least.trials.labels, Names{});
   EXPECT_FALSE(least.trials.window);
-  EXPECT_EQ(least.trials.time, "");
+  EXPECT_EQ(least.trials.time, Names{});
+  EXPECT_EQ(least.trials.decimal, DecimalMark::kPoint);
   EXPECT_EQ(least.trials.rate, 0.0);
   EXPECT_EQ(least.trials.missing, MissingValues::kRefuse);
   EXPECT_EQ(least.trials.other_columns, Unmentioned::kRefuse);
@@ -102,7 +103,7 @@ TEST(ReadCsvImport, NamesFileAndLineOfWhatIsUnknown) {
             "import.toml:3: 'rate' must be a number, at least 0, not -1");
   EXPECT_EQ(
       refusal(kImport + "time_unit = \"m\"\n" + kTouch),
-      "import.toml:3: 'time_unit' must be one of s, ms, us, ns, not \"m\"; did you mean 's'?");
+      "import.toml:3: 'time_unit' must be one of s, ms, us, ns, iso, not \"m\"; did you mean 's'?");
 }
 
 TEST(ReadCsvImport, RefusesTablesOfAnotherKind) {

@@ -52,7 +52,7 @@ Matrix<float> matrix(std::size_t rows, std::vector<float> values) {
 }
 
 TEST_F(ImportCsvTrials, ReadsEveryNumberToItsPlace) {
-  plan_.trials.time = "t";
+  plan_.trials.time = {"t"};
   plan_.channels = {channel_of("touch", {"b1..b2"}), channel_of("joints", {"a"})};
   plan_.channels[0].unit = "counts";
   plan_.channels[0].shape = {2, 1};
@@ -72,7 +72,7 @@ TEST_F(ImportCsvTrials, ComesInNaturalOrder) {
 }
 
 TEST_F(ImportCsvTrials, MakesTimesRelativeAndSeconds) {
-  plan_.trials.time = "t";
+  plan_.trials.time = {"t"};
   const std::pair<TimeUnit, const char*> units[] = {
       {TimeUnit::kSeconds, "t,a,b\n1700000000,0,0\n1700000000.25,0,0\n1700000003,0,0\n"},
       {TimeUnit::kMilliseconds, "t,a,b\n1700000000000,0,0\n1700000000250,0,0\n1700000003000,0,0\n"},
@@ -132,7 +132,7 @@ TEST_F(ImportCsvTrials, TakesAByteOrderMarkAnyLineEndsQuotesAndBlanks) {
 
 TEST_F(ImportCsvTrials, CallsColumnsByNumberWithoutAHeader) {
   plan_.trials.header = false;
-  plan_.trials.time = "1";
+  plan_.trials.time = {"1"};
   plan_.channels = {channel_of("touch", {"2..3"})};
   const Channel touch = read("7,1,2\n8,3,4\n").channels[0];
   EXPECT_EQ(touch, (Channel{"touch", "", {"2", "3"}, matrix(2, {1, 2, 3, 4}), {0, 1}}));
@@ -160,9 +160,9 @@ TEST_F(ImportCsvTrials, RefusesInfinityAndTextEvenWhereMissingValuesAreMarked) {
             "x_1.csv:2:3: '-inf' is not a finite number; leave the row out or fill in a number");
   EXPECT_EQ(error_for("a,b\n1,two\n"),
             "x_1.csv:2:3: 'two' is not a number; correct it, or list its column under 'ignore'");
-  plan_.trials.time = "t";
+  plan_.trials.time = {"t"};
   EXPECT_EQ(error_for("t,a,b\n,1,2\n"),
-            "x_1.csv:2:1: the field is empty; fill in a number, or import with missing = \"mask\"");
+            "x_1.csv:2:1: the time in column 't' is missing; write the time, or remove the row");
 }
 
 TEST_F(ImportCsvTrials, RefusesNumbersBeyondSinglePrecision) {
@@ -178,10 +178,10 @@ TEST_F(ImportCsvTrials, RefusesNumbersBeyondSinglePrecision) {
 }
 
 TEST_F(ImportCsvTrials, RefusesTimesThatRunBackwards) {
-  plan_.trials.time = "t";
+  plan_.trials.time = {"t"};
   EXPECT_EQ(error_for("a,t,b\n0,10,0\n0,12,0\n0,11,0\n"),
-            "x_1.csv:4:3: the time decreases: '11' follows a later time; repair or remove "
-            "the file");
+            "x_1.csv:4:3: the time decreases: '11' in column 't' follows a later time; repair or "
+            "remove the file");
   EXPECT_EQ(read("t,a,b\n1,0,0\n1,0,0\n").channels[0].times, (std::vector<double>{0, 0}));
 }
 
@@ -202,7 +202,7 @@ TEST_F(ImportCsvTrials, RefusesEmptyFiles) {
 TEST_F(ImportCsvTrials, RefusesAHeaderThatLacksAColumn) {
   plan_.channels[0].columns = {"a1..a3"};
   EXPECT_EQ(error_for("a1,a2\n1,2\n"), "x_1.csv:1: there is no column 'a3'; did you mean 'a1'?");
-  plan_.trials.time = "clock";
+  plan_.trials.time = {"clock"};
   EXPECT_EQ(error_for("\na1,a2,a3\n1,2,3\n"),
             "x_1.csv:2: there is no column 'clock'; known are: a1, a2, a3");
   EXPECT_EQ(error_for("0,1,2\n1,2,3\n"),
@@ -301,7 +301,7 @@ TEST_F(ImportCsvTrials, ReadsCutFilesAsFarAsRowsAreWholeOrNotAtAll) {
 }
 
 TEST_F(ImportCsvTrials, ReadsOrRefusesWhateverBitIsTurned) {
-  plan_.trials.time = "t";
+  plan_.trials.time = {"t"};
   const std::string text = "t,a,b\n0,11,-2.5\n1,33,4e1\n";
   std::size_t read = 0;
   for (std::size_t bit = 0; bit < 8 * text.size(); ++bit) {

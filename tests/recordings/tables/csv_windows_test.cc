@@ -26,7 +26,7 @@ class ImportWindows : public ::testing::Test {
     plan_.channels = {channel_of("x", {"x"})};
   }
 
-  Result<Recording> import() { return import_csv_trials(folder_.path(), plan_, &left_out_); }
+  Result<Recording> import() { return import_csv_trials(folder_.path(), plan_, &report_); }
 
   // The error, without the folder.
   std::string refusal() {
@@ -61,7 +61,7 @@ class ImportWindows : public ::testing::Test {
 
   TemporaryFolder folder_;
   CsvImport plan_;
-  CsvLeftOut left_out_;
+  CsvImportReport report_;
 };
 
 TEST_F(ImportWindows, CutsFilesAndCountsWhatIsLeft) {
@@ -69,8 +69,8 @@ TEST_F(ImportWindows, CutsFilesAndCountsWhatIsLeft) {
   count("b.csv", 3);
   count("c.csv", 2);
   EXPECT_EQ(imported(), (Names{"a a.csv 1 012", "a a.csv 2 345", "b b.csv 1 012"}));
-  EXPECT_EQ(left_out_.rows, 4U);
-  EXPECT_EQ(left_out_.files, 1U);
+  EXPECT_EQ(report_.rows_left_out, 4U);
+  EXPECT_EQ(report_.files_left_out, 1U);
   EXPECT_EQ(import()->explorations[1].source, folder_.file("a.csv"));
   EXPECT_EQ(import()->explorations[0].labels,
             (std::vector<Label>{{"run", "a"}, {"file", "a.csv"}, {"window", "1"}}));
@@ -81,10 +81,10 @@ TEST_F(ImportWindows, Overlap) {
   plan_.trials.overlap = 2;
   EXPECT_EQ(imported(), (Names{"a a.csv 1 012", "a a.csv 2 123", "a a.csv 3 234", "a a.csv 4 345",
                                "a a.csv 5 456", "a a.csv 6 567"}));
-  EXPECT_EQ(left_out_.rows, 0U);
+  EXPECT_EQ(report_.rows_left_out, 0U);
   plan_.trials.overlap = 1;
   EXPECT_EQ(imported(), (Names{"a a.csv 1 012", "a a.csv 2 234", "a a.csv 3 456"}));
-  EXPECT_EQ(left_out_.rows, 1U);
+  EXPECT_EQ(report_.rows_left_out, 1U);
 }
 
 TEST_F(ImportWindows, DoNotCrossAChangeOfLabel) {
@@ -93,7 +93,7 @@ TEST_F(ImportWindows, DoNotCrossAChangeOfLabel) {
                "x,what,day\n0,up,1\n1,up,1\n2,up,1\n3,up,1\n4,down,1\n5,down,2\n6,down,2\n"
                "7,down,2\n8,up,2\n");
   EXPECT_EQ(imported(), (Names{"a up 1 a.csv 1 012", "a down 2 a.csv 2 567"}));
-  EXPECT_EQ(left_out_.rows, 3U);
+  EXPECT_EQ(report_.rows_left_out, 3U);
   EXPECT_EQ(import()->explorations[0].labels,
             (std::vector<Label>{
                 {"run", "a"}, {"what", "up"}, {"day", "1"}, {"file", "a.csv"}, {"window", "1"}}));
@@ -101,7 +101,7 @@ TEST_F(ImportWindows, DoNotCrossAChangeOfLabel) {
 
 TEST_F(ImportWindows, KeepTimesRatesMarksAndNamesOfColumns) {
   plan_.trials.window = 2;
-  plan_.trials.time = "t";
+  plan_.trials.time = {"t"};
   plan_.trials.time_unit = TimeUnit::kMilliseconds;
   plan_.trials.missing = MissingValues::kMask;
   plan_.channels = {channel_of("xy", {"x", "y"})};
@@ -180,7 +180,7 @@ TEST_F(ImportTable, MakesEachRowAnExploration) {
   folder_.with("t.csv", "object,x,grasp\n\"red, cup\",1.5,1\nnone,2,01\ncup,3,1.0\n");
   EXPECT_EQ(imported(),
             (Names{"t red, cup 1 t.csv 1 1.5", "t none 01 t.csv 2 2", "t cup 1.0 t.csv 3 3"}));
-  EXPECT_EQ(left_out_.rows, 0U);
+  EXPECT_EQ(report_.rows_left_out, 0U);
   EXPECT_EQ(import()->explorations[0].labels[4], (Label{"row", "1"}));
 }
 
@@ -231,7 +231,7 @@ TEST_F(ImportTable, AColumnOfExplorationsDividesFiles) {
   plan_.trials.rows = CsvRows::kFrames;
   plan_.trials.labels = {"object"};
   plan_.trials.exploration = "grasp";
-  plan_.trials.time = "t";
+  plan_.trials.time = {"t"};
   folder_.with("t.csv", "t,object,x,grasp\n5,a,1,1\n6,a,2,1\n1,a,3,2\n4,a,4,2\n2,b,5,3\n");
   const Recording recording = import().value();
   ASSERT_EQ(recording.explorations.size(), 3U);

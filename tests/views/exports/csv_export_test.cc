@@ -55,6 +55,30 @@ TEST_F(CsvExportTest, TablesAreReadBackToTheSameChannels) {
   }
 }
 
+TEST_F(CsvExportTest, NoTextIsAFormulaAndAllAreReadBack) {
+  const std::vector<std::string> labels{"=1+1", "+a", "-wet", "@home", "'=x", "-40", "'70s"};
+  Recording recording;
+  for (const std::string& label : labels) {
+    Channel touch{"touch", "", {"=a", "-b"}, Matrix<float>(1, 2, {-1, 2}), {}};
+    recording.explorations.push_back({{{"=kind", label}}, "", {touch}});
+  }
+  write(recording);
+  EXPECT_EQ(text("touch.csv"),
+            "exploration,\"'=kind\",time,\"'=a\",\"'-b\"\n1,\"'=1+1\",,-1,2\n"
+            "2,\"'+a\",,-1,2\n3,\"'-wet\",,-1,2\n4,\"'@home\",,-1,2\n5,\"''=x\",,-1,2\n"
+            "6,\"-40\",,-1,2\n7,\"'70s\",,-1,2\n");
+  EXPECT_EQ(label_values(read("touch"), "=kind"), labels);
+  EXPECT_EQ(read("touch").explorations.at(0).channels.at(0).element_names,
+            (std::vector<std::string>{"=a", "-b"}));
+}
+
+TEST_F(CsvExportTest, ElementsWithBlankNamesHaveOthers) {
+  Channel touch{"touch", "", {"  ", "a"}, Matrix<float>(1, 2, {1, 2}), {}};
+  write({{{{{"kind", "cup"}}, "", {touch}}}});
+  EXPECT_EQ(read("touch").explorations.at(0).channels.at(0).element_names,
+            (std::vector<std::string>{"touch_1", "touch_2"}));
+}
+
 TEST_F(CsvExportTest, ATableHasARowForEachFrame) {
   Channel touch{"touch", "N", {}, Matrix<float>(2, 2, {0.1F, 2, 3e-9F, 4}), {0.25, 0.5}, 0.0};
   touch.valid = Matrix<std::uint8_t>(2, 2, std::vector<std::uint8_t>{1, 1, 1, 0});

@@ -14,6 +14,13 @@ test("fields are quoted where they must be", () => {
 
 test("what a spreadsheet would take for a formula is a text", () => {
   expect(csv({ columns: ["x"], rows: [["=1+1"], ["@a"], [-1]] })).toBe("x\r\n'=1+1\r\n'@a\r\n-1\r\n");
+  expect(csv({ columns: ["'=x"], rows: [["-wet"], ["-"], ["'cup"]] })).toBe("''=x\r\n'-wet\r\n'-\r\n'cup\r\n");
+});
+
+test("a label that is a number stays one", () => {
+  expect(csv({ columns: ["x"], rows: [["-40"], ["+1.5e3"], ["-.5"], ["'-40"]] })).toBe(
+    "x\r\n-40\r\n+1.5e3\r\n-.5\r\n'-40\r\n",
+  );
 });
 
 test("numbers keep all their digits", () => {
