@@ -13,11 +13,11 @@ using Columns = std::vector<std::size_t>;
 const Names kNames{"id", "tax_1", "tax_2", "slipped", "kind", "a*b"};
 
 TableColumns with_names(std::optional<std::size_t> label = {}) {
-  return {kNames.size(), kNames, label, {}};
+  return {kNames.size(), kNames, label, {}, {}};
 }
 
 TableColumns nameless(std::size_t width, std::optional<std::size_t> label = {}) {
-  return {width, {}, label, {}};
+  return {width, {}, label, {}, {}};
 }
 
 Columns chosen(const ColumnChoice& choice, const TableColumns& table) {
@@ -124,7 +124,7 @@ TEST(TableColumns, RefuseContradictions) {
 }
 
 TEST(TableColumns, WithOneNameAreAmbiguous) {
-  const TableColumns twins{4, {"x", "y", "x", "xy"}, {}, {}};
+  const TableColumns twins{4, {"x", "y", "x", "xy"}, {}, {}, {}};
   expect_choice_refused({{"x"}, {}, {}}, twins, "two columns are named 'x'");
   expect_choice_refused({{}, {"x"}, {}}, twins, "two columns are named 'x'");
   for (const ColumnChoice& choice : {ColumnChoice{}, {{"x*"}, {}, {}}}) {
@@ -139,7 +139,7 @@ TEST(TableColumns, WithOneNameAreAmbiguous) {
 }
 
 TEST(TableColumns, WithoutNamesAmongOthersAreChosenByNumber) {
-  const TableColumns table{5, {"(column 1)", "a", "Unnamed: 2", "1", "(column 5)"}, {}, {}};
+  const TableColumns table{5, {"(column 1)", "a", "Unnamed: 2", "1", "(column 5)"}, {}, {}, {}};
   expect_choice_refused({}, table, "columns 1, 3, 5 have no names", ErrorKind::kData);
   expect_choice_refused({}, table, "--skip '(column 1),3,5'", ErrorKind::kData);
   EXPECT_EQ(chosen({{}, {"(column 1)", "3", "5"}, {}}, table), (Columns{1, 3}));

@@ -31,8 +31,8 @@ class CsvTimesOfAFile : public ::testing::Test {
   std::string refusal(const std::string& text) {
     const auto recording = import(text);
     if (recording) return "none";
-    const std::string text = to_string(recording.error());
-    return text.starts_with(folder_.path()) ? text.substr(folder_.path().size() + 1) : text;
+    const std::string error = to_string(recording.error());
+    return error.starts_with(folder_.path()) ? error.substr(folder_.path().size() + 1) : error;
   }
 
   void expect_refused(const std::string& text, const std::vector<std::string>& says) {
