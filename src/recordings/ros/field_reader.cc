@@ -18,7 +18,7 @@ constexpr std::string_view kAdviceOnPaths =
     "write field names with dots between, and elements in brackets: sensors[*].taxels[0..3].z, "
     "sensors[*:32].z or, by their names, position[shoulder,elbow]";
 
-constexpr std::size_t kMostPadded = std::size_t{1} << 20;  // Above the elements of any skin.
+constexpr std::size_t kMostPadded = std::size_t{1} << 16;  // Above the elements of any skin.
 
 // The number of an element that a message lacks.
 constexpr RosScalar kMissingNumber{

@@ -21,8 +21,15 @@ TEST(TopicType, KnownTypesHaveChannelsWithUnits) {
 
 TEST(TopicType, WithoutChannelsThereIsAReason) {
   const auto reason_of = [](const TopicEncoding& encoding) { return topic_type(encoding).reason; };
+  EXPECT_EQ(reason_of({"a/B", "protobuf", "protobuf", "..."}),
+            "its messages are in the encoding 'protobuf', not in CDR or JSON");
   EXPECT_EQ(reason_of({"a/B", "json", "jsonschema", "{}"}),
-            "its messages are in the encoding 'json', not in CDR");
+            "JSON Schema: the messages are not objects with properties");
+  EXPECT_EQ(reason_of({"a/B", "json", "", ""}), "its messages in JSON have no JSON Schema");
+  EXPECT_EQ(reason_of({"a/B", "cdr", "ros2msg", ""}).substr(0, 34),
+            "the file holds no definition of a/");
+  EXPECT_EQ(reason_of({"std_msgs/msg/Empty", "cdr", "ros2msg", ""}),
+            "its messages hold no numbers");
   EXPECT_EQ(reason_of({"a/B", "cdr", "ros2msg", "int8 a\nfloat64[] b\n"}),
             "a/B is not a known type; its numbers: a, b[*]");
   EXPECT_EQ(reason_of({"a/B", "cdr", "ros2msg", "string a\n"}), "its messages hold no numbers");
