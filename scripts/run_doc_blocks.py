@@ -29,7 +29,8 @@ from pathlib import Path
 
 # Permitted reasons for skipping a block, and the required form of each of its lines.
 REASONS = {
-    "sets up the machine": r"(#.*|git clone .*|cd somato|\./dev( [a-z-]+)*( [\w/.-]+)?( *#.*)?)",
+    "sets up the machine": r"(#.*|git clone .*|cd somato|\./dev( [a-z-]+)*( [\w/.-]+)?( *#.*)?"
+                           r"|sudo scripts/other_systems\.sh( \d+)?( *#.*)?)",
     "needs docker": r"(#.*|docker .*)",
     "needs data of others": r"(#.*|.*--data .*|.*\"\$[A-Z]+\".*|.*\\|  .*)",
 }

@@ -33,7 +33,7 @@ struct ChannelSummary {
   std::uint64_t most_frames = 0;
   double least_rate = 0.0;  ///< Frames per second in these explorations; 0 if one has no rate.
   double most_rate = 0.0;
-  std::vector<ElementRange> ranges;  ///< One for each element.
+  std::vector<ElementRange> ranges;  ///< One for each element, unless there are more than 65536.
 };
 
 /// Summary of a recording file.

@@ -16,7 +16,9 @@ ColumnPrecision::Column& ColumnPrecision::at(std::size_t column) {
 }
 
 // Mean and squares as Welford updates them: the numbers may be large, and their differences small.
+// A number that no float holds is refused for that reason by those who use it.
 void ColumnPrecision::take(std::size_t column, double exact, float kept) {
+  if (!std::isfinite(kept)) return;
   Column& of = at(column);
   of.count += 1.0;
   const double difference = exact - of.mean;

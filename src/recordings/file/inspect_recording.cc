@@ -14,6 +14,7 @@ namespace {
 using Meaning = RecordingInterpreter::Meaning;
 
 constexpr std::size_t kMostLabelBytes = std::size_t{4} << 20;
+constexpr std::size_t kMostElementsWithRanges = std::size_t{1} << 16;  // More than any skin has.
 constexpr std::size_t kBytesAnEntry = 128;  // Approximate memory in addition to its text.
 
 // Counts the values of labels, as long as there is room for new ones.
@@ -110,6 +111,7 @@ class Inspection {
     earliest_ = std::min(earliest_.value_or(time), time);
     latest_ = std::max(latest_.value_or(time), time);
     for (const RecordingInterpreter::Frame& frame : frames) {
+      if (frame.values.size() > kMostElementsWithRanges) continue;
       ranges_[meanings_.channels()[frame.channel].description.name].add(frame.values, frame.valid);
     }
   }
