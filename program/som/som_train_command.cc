@@ -163,8 +163,9 @@ Result<SomModel> start_on(const Arguments& arguments, const SomParameters& param
 
 // A standardization keeps what differs, however large the numbers are: nothing is lost of numbers
 // from which an offset is subtracted first.
-std::vector<ColumnScale> without_check(std::vector<double> offsets) {
+std::vector<ColumnScale> without_check(const std::vector<double>& offsets) {
   std::vector<ColumnScale> scales;
+  scales.reserve(offsets.size());
   for (const double offset : offsets) {
     scales.push_back({offset, std::numeric_limits<double>::infinity()});
   }
