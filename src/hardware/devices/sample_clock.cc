@@ -39,7 +39,7 @@ double likely_rate(double measured) {
 }
 
 std::string rate_advice(const MicrophoneSettings& microphone, double rate) {
-  const std::string advice = fmt::format("set rate = {:g} of [microphone]", rate);
+  std::string advice = fmt::format("set rate = {:g} of [microphone]", rate);
   if (!microphone.source.starts_with("alsa:")) return advice;
   const std::string device =
       microphone.source.starts_with("alsa:hw:") ? microphone.source.substr(8) : "...";

@@ -49,7 +49,7 @@ std::size_t encode_number_line(std::span<const float> values, std::span<std::uin
   return static_cast<std::size_t>(end - begin);
 }
 
-NumberLineDecoder::NumberLineDecoder(std::size_t values, std::vector<LineName> names)
+NumberLineDecoder::NumberLineDecoder(std::size_t values, const std::vector<LineName>& names)
     : fields_(values, names),
       values_(values),
       candidate_(values),

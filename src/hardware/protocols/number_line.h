@@ -27,7 +27,7 @@ std::size_t encode_number_line(std::span<const float> values, std::span<std::uin
 class NumberLineDecoder {
  public:
   /// For lines with `values` numbers, which may have names.
-  explicit NumberLineDecoder(std::size_t values, std::vector<LineName> names = {});
+  explicit NumberLineDecoder(std::size_t values, const std::vector<LineName>& names = {});
 
   /// Takes the next byte; returns whether it completes a line with numbers.
   bool take(std::uint8_t byte);

@@ -71,12 +71,14 @@ Result<std::optional<std::int64_t>> first_time_of(const std::string& path) {
 // Files without a list of their order are in that of their first messages.
 Result<void> sort_by_time(std::vector<std::string>& files) {
   std::vector<std::pair<std::int64_t, std::size_t>> order;
+  order.reserve(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     SOMATO_TRY(const auto time, first_time_of(files[i]));
     order.emplace_back(time.value_or(std::numeric_limits<std::int64_t>::max()), i);
   }
   std::sort(order.begin(), order.end());
   std::vector<std::string> sorted;
+  sorted.reserve(files.size());
   for (const auto& [time, index] : order) sorted.push_back(std::move(files[index]));
   files = std::move(sorted);
   return {};
@@ -237,6 +239,7 @@ Result<void> add_bags_of_folder(const fs::path& searched, const fs::path& relati
   const std::string own_name = fs::weakly_canonical(path).filename().string();
   const std::string name = relative.empty() ? own_name : relative.generic_string();
   std::vector<std::string> paths;
+  paths.reserve(folder.files.size());
   for (const std::string& file : folder.files) paths.push_back((searched / file).string());
   if (folder.has_metadata) {
     SOMATO_TRY(BagLocation bag, bag_of_folder(path, name, std::move(paths)));

@@ -32,7 +32,7 @@ inline double seconds_of(std::int64_t nanoseconds) {
 
 /// Whether a time since 1970 is one of the calendar, from the year 2000 on: clocks that were not
 /// set, and those of simulations, count from 1970 or from a start.
-inline constexpr bool is_of_calendar(std::int64_t nanoseconds) {
+constexpr bool is_of_calendar(std::int64_t nanoseconds) {
   return nanoseconds >= static_cast<std::int64_t>(kYear2000) * kNanosecondsASecond;
 }
 

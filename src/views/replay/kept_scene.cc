@@ -20,7 +20,7 @@ void KeptScene::drop(std::size_t moments) {
 
 std::size_t KeptScene::bytes() const {
   const std::size_t bodies = poses_.empty() ? 0 : poses_.front().size();
-  return poses_.size() * (sizeof(poses_.front()) + bodies * sizeof(ScenePose));
+  return poses_.size() * (sizeof(std::vector<ScenePose>) + bodies * sizeof(ScenePose));
 }
 
 }  // namespace somato::live
