@@ -83,7 +83,7 @@ Result<NumberTable> read_csv(const std::string& path, const CsvOptions& options)
 }
 
 std::string csv_field(const std::string& value) {
-  const std::string text = guarded_text(value);
+  std::string text = guarded_text(value);
   const bool plain = std::all_of(text.begin(), text.end(), needs_no_quotes);
   if (plain && is_csv_text(text)) return text;
   std::string out = "\"";

@@ -114,11 +114,10 @@ Result<void> CsvTableReader::find_label_column() {
 }
 
 Result<void> CsvTableReader::choose() {
-  return choose_columns(options_.columns, std::move(columns_), where_)
-      .map([&](TableColumns&& chosen) {
-        columns_ = std::move(chosen);
-        precision_ = ColumnPrecision(columns_.scales);
-      });
+  return choose_columns(options_.columns, columns_, where_).map([&](TableColumns&& chosen) {
+    columns_ = std::move(chosen);
+    precision_ = ColumnPrecision(columns_.scales);
+  });
 }
 
 Result<void> CsvTableReader::read_first_record() {
