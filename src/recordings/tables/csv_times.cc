@@ -73,11 +73,12 @@ Result<CsvTimes::Time> CsvTimes::read_number() {
   }
   if (meaning == CsvMeaning::kText) {
     const std::string decimals = decimal_advice(field, trials_.decimal);
-    std::string advice = read_iso_time(field) ? "import with --time-unit iso (time_unit = \"iso\")"
-                                              : how_to_convert();
+    const std::string advice = read_iso_time(field)
+                                   ? "import with --time-unit iso (time_unit = \"iso\")"
+                                   : how_to_convert();
     return refuse(fmt::format("{} in {} is not a time in {}", shown(field), names(),
                               choice_name(trials_.time_unit)),
-                  decimals.empty() ? std::move(advice) : decimals);
+                  decimals.empty() ? advice : decimals);
   }
   if (meaning != CsvMeaning::kNumber) {
     return refuse(fmt::format("{} in {} is not a finite number", shown(field), names()),
