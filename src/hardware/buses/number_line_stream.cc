@@ -1,12 +1,11 @@
 #include "hardware/buses/number_line_stream.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace somato::devices {
 
-NumberLineStream::NumberLineStream(std::size_t values, std::vector<wire::LineName> names)
-    : SensorStream(values), decoder_(values, std::move(names)) {}
+NumberLineStream::NumberLineStream(std::size_t values, const std::vector<wire::LineName>& names)
+    : SensorStream(values), decoder_(values, names) {}
 
 void NumberLineStream::receive(std::span<const std::uint8_t> bytes, double now) {
   for (const std::uint8_t byte : bytes) {

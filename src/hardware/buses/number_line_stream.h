@@ -11,7 +11,7 @@ namespace somato::devices {
 /// frames nor times.
 class NumberLineStream : public SensorStream {
  public:
-  explicit NumberLineStream(std::size_t values, std::vector<wire::LineName> names = {});
+  explicit NumberLineStream(std::size_t values, const std::vector<wire::LineName>& names = {});
 
   void receive(std::span<const std::uint8_t> bytes, double now) override;
 
