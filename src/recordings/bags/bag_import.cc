@@ -78,7 +78,8 @@ class BagReading {
     SOMATO_TRY_VOID(compile_uses());
     ++messages_[message.topic];
     const TopicUse& use = uses_[message.topic];
-    if (use.type && use.reason.empty()) {
+    const bool is_read = !use.channels.empty() || !use.labels.empty() || use.event;
+    if (use.type && is_read) {
       SOMATO_TRY(message.data, located(message_in_cdr(source_->topics()[message.topic].encoding,
                                                       *use.type, message.data, cdr_),
                                        message));
