@@ -21,7 +21,9 @@ SomModel model_of_two(Similarity similarity = Similarity::kEuclidean) {
 }
 
 std::vector<float> completed(const SomModel& model, MissingFill missing, std::vector<float> row) {
-  const Samples samples(Matrix<float>(1, row.size(), std::move(row)));
+  // The order in which arguments are evaluated differs between compilers.
+  const std::size_t columns = row.size();
+  const Samples samples(Matrix<float>(1, columns, std::move(row)));
   const Samples complete = complete_inputs(model, missing, samples);
   return {complete[0].values.begin(), complete[0].values.end()};
 }
