@@ -326,6 +326,57 @@ def ros_messages():
     write("ros_message", "parameters", b"int8 x\0x\0\0\3\0\0" + bytes(8))
 
 
+def proto(*fields):
+    """A message in protobuf: a pair of number and value for each field, which is an integer or bytes."""
+    message = b""
+    for number, value in fields:
+        if isinstance(value, int):
+            message += bytes([number << 3, value])
+        else:
+            message += bytes([number << 3 | 2]) + varint(len(value)) + value
+    return message
+
+
+def varint(value):
+    return bytes([value]) if value < 128 else bytes([value & 127 | 128]) + varint(value >> 7)
+
+
+def protobuf_messages():
+    """The name of a message type, its descriptors, each after its length in two bytes, and a message."""
+    double, integer, text, message, binary, optional, repeated = 1, 5, 9, 11, 12, 1, 3
+
+    def field(name, number, kind, label=optional, of=b""):
+        content = proto((1, name), (3, number), (4, label), (5, kind))
+        return 2, content + (proto((6, of)) if of else b"")
+
+    entry = proto((1, b"E"), field(b"key", 1, text), field(b"value", 2, double), (7, proto((7, 1))))
+    taxel = (4, proto((1, b"T"), field(b"x", 1, integer), field(b"raw", 2, binary)))
+    hand = (4, proto((1, b"H"), field(b"name", 1, text, repeated), field(b"t", 2, message, repeated, b".T"),
+                     field(b"tip", 3, message, optional, b".T"), field(b"m", 4, message, repeated, b".H.E"),
+                     (3, entry)))
+    own = (4, proto((1, b"R"), field(b"r", 1, message, optional, b".R")))
+    content = proto((1, b"a"), (1, b"b"), (2, proto((1, 3), (2, b"\1\2"))),
+                    (4, proto((1, b"k"), (2, struct.pack("<Q", 0)))))
+
+    def case(name, type_name, *files, message=content):
+        descriptors = proto(*((1, file) for file in files))
+        head = b"".join(struct.pack("<H", len(part)) + part for part in (type_name, descriptors))
+        write("protobuf_message", name, head + message)
+
+    proto3 = (12, b"proto3")
+    file = proto((1, b"f"), taxel, hand, own, proto3)
+    case("all", b"H", file)
+    case("proto2", b"H", proto((1, b"f"), taxel, hand))
+    case("nothing", b"H", file, message=b"")
+    case("cut", b"H", file, message=content[:-3])
+    case("text_no_text", b"H", file, message=proto((1, b"\xff")))
+    case("itself", b"R", file)
+    case("unknown", b"N", file)
+    case("import", b"H", proto((1, b"f"), (3, b"g"), hand, proto3), proto((1, b"g"), taxel, proto3))
+    case("circle", b"H", proto((1, b"f"), (3, b"g"), hand, proto3), proto((1, b"g"), (3, b"f"), taxel))
+    case("missing_import", b"H", proto((1, b"f"), (3, b"g"), hand, proto3))
+
+
 archives()
 npys()
 csvs()
@@ -336,3 +387,4 @@ view_requests()
 wire_decoders()
 ros_definitions()
 ros_messages()
+protobuf_messages()

@@ -27,10 +27,10 @@ class Printed : public somato::FieldSink {
 somato::Result<void> print_message(const somato::BagTopic& topic,
                                    const somato::BagMessage& message) {
   constexpr std::size_t kMostPaths = 1000;
-  SOMATO_TRY(const auto type, somato::compile_topic_type(topic.encoding));
+  SOMATO_TRY(const auto messages, somato::compile_topic_messages(topic.encoding));
   for (const auto kind : {somato::FieldKind::kNumbers, somato::FieldKind::kTexts}) {
-    for (const std::string& path : somato::field_paths(*type, kind, kMostPaths)) {
-      SOMATO_TRY(const auto reader, somato::FieldReader::compile(type, path, kind));
+    for (const std::string& path : somato::field_paths(*messages.type, kind, kMostPaths)) {
+      SOMATO_TRY(const auto reader, somato::FieldReader::compile(messages.type, path, kind));
       Printed printed;
       SOMATO_TRY_VOID(reader.read(message.data, printed));
       fmt::print("{} {} {}{}\n", topic.name, message.time, path, printed.text);

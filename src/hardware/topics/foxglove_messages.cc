@@ -36,6 +36,39 @@ const nlohmann::json& list_in(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_array() ? *found : kNone;
 }
 
+// The bytes of a text in base64, with or without the padding at its end, or nothing.
+std::optional<std::string> bytes_of_base64(std::string_view text) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr unsigned kBitsOfDigit = 6;
+  constexpr unsigned kBitsOfByte = 8;
+  while (text.ends_with('=')) text.remove_suffix(1);
+  std::string bytes;
+  std::uint32_t bits = 0;
+  unsigned count = 0;
+  for (const char digit : text) {
+    const std::size_t value = kDigits.find(digit);
+    if (value == std::string_view::npos) return std::nullopt;
+    bits = bits << kBitsOfDigit | static_cast<std::uint32_t>(value);
+    count += kBitsOfDigit;
+    if (count < kBitsOfByte) continue;
+    count -= kBitsOfByte;
+    bytes += static_cast<char>(bits >> count & 0xFF);
+  }
+  return bytes;
+}
+
+// The definitions of the encoding protobuf are bytes, which the protocol carries in base64.
+Result<void> decode_definition(Topic& topic, const std::string& where) {
+  if (topic.definition_encoding != "protobuf") return {};
+  std::optional<std::string> bytes = bytes_of_base64(topic.definition);
+  if (!bytes) {
+    return not_of_protocol(fmt::format("the schema of {} is not in base64", topic.name), where);
+  }
+  topic.definition = std::move(*bytes);
+  return {};
+}
+
 Result<ServerMessage> advertisement(const nlohmann::json& message, const std::string& where) {
   Advertisement advertised;
   for (const nlohmann::json& channel : list_in(message, "channels")) {
@@ -55,6 +88,7 @@ Result<ServerMessage> advertisement(const nlohmann::json& message, const std::st
     if (topic.definition_encoding.empty() && topic.encoding == "cdr") {
       topic.definition_encoding = "ros2msg";
     }
+    SOMATO_TRY_VOID(decode_definition(topic, where));
     advertised.topics.push_back(std::move(topic));
   }
   return ServerMessage{std::move(advertised)};

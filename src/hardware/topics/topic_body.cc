@@ -58,13 +58,13 @@ Result<void> TopicBody::subscribe(std::vector<TopicSensor> sensors) {
     const Topic& topic = found[index];
     const TopicEncoding encoding{topic.type, topic.encoding, topic.definition_encoding,
                                  topic.definition};
-    auto type = compile_topic_type(encoding);
-    if (!type) return fail(with_topic(std::move(type.error()), sensor.topic));
-    auto reader = ChannelReader::compile(*type, sensor.paths, sensor.names);
+    auto messages = compile_topic_messages(encoding);
+    if (!messages) return fail(with_topic(std::move(messages.error()), sensor.topic));
+    auto reader = ChannelReader::compile(messages->type, sensor.paths, sensor.names);
     if (!reader) return fail(with_topic(std::move(reader.error()), sensor.topic));
     ElementOrder order = reader->order();
-    sensors_.push_back({std::move(sensor), index, encoding, std::move(*type), std::move(*reader),
-                        std::move(order)});
+    sensors_.push_back(
+        {std::move(sensor), index, std::move(*messages), std::move(*reader), std::move(order)});
   }
   description_.sensors.resize(sensors_.size());
   state_.readings.resize(sensors_.size());
@@ -93,9 +93,9 @@ Result<void> TopicBody::describe(std::size_t index, const Arrival& arrival) {
   Sensor& sensor = sensors_[index];
   const TopicSensor& declared = sensor.declared;
   std::string cdr;
-  auto shape =
-      message_in_cdr(sensor.encoding, *sensor.type, arrival.payload, cdr)
-          .and_then([&](std::string_view message) { return sensor.reader.shape(message); });
+  auto shape = sensor.messages.in_cdr(arrival.payload, cdr).and_then([&](std::string_view message) {
+    return sensor.reader.shape(message);
+  });
   if (!shape) return fail(with_topic(std::move(shape.error()), declared.topic));
   description_.sensors[index] = {declared.name,     declared.unit, sensor.order.names(),
                                  std::move(*shape), 0.0,           true};
@@ -183,10 +183,9 @@ Result<bool> TopicBody::take(const Arrival& arrival) {
 Result<bool> TopicBody::take_values(std::size_t index, const Arrival& arrival) {
   Sensor& sensor = sensors_[index];
   std::string cdr;
-  auto read = message_in_cdr(sensor.encoding, *sensor.type, arrival.payload, cdr)
-                  .and_then([&](std::string_view message) {
-                    return sensor.reader.read(message, sensor.order, values_);
-                  });
+  auto read = sensor.messages.in_cdr(arrival.payload, cdr).and_then([&](std::string_view message) {
+    return sensor.reader.read(message, sensor.order, values_);
+  });
   if (!read) return fail(with_topic(std::move(read.error()), sensor.declared.topic));
   if (values_.empty()) ++left_out_;
   if (values_.empty()) return false;

@@ -72,8 +72,7 @@ class TopicBody : public Body {
   struct Sensor {
     TopicSensor declared;
     std::size_t topic = 0;
-    TopicEncoding encoding;
-    std::shared_ptr<const RosType> type;
+    TopicMessages messages;
     ChannelReader reader;
     ElementOrder order;
     bool is_known = false;  ///< Whether it is described.

@@ -198,6 +198,7 @@ class BagOfFiles : public BagSource {
   }
 
   Result<void> complete(TopicEncoding& encoding) const {
+    if (encoding.message_encoding != "cdr") return {};
     if (encoding.definition_encoding == "ros2msg" && !encoding.definition.empty()) return {};
     std::optional<std::string> text = standard_definition(encoding.type);
     if (definitions_.has(encoding.type)) {

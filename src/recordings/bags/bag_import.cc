@@ -79,10 +79,8 @@ class BagReading {
     ++messages_[message.topic];
     const TopicUse& use = uses_[message.topic];
     const bool is_read = !use.channels.empty() || !use.labels.empty() || use.event;
-    if (use.type && is_read) {
-      SOMATO_TRY(message.data, located(message_in_cdr(source_->topics()[message.topic].encoding,
-                                                      *use.type, message.data, cdr_),
-                                       message));
+    if (use.messages.type && is_read) {
+      SOMATO_TRY(message.data, located(use.messages.in_cdr(message.data, cdr_), message));
     }
     SOMATO_TRY_VOID(use.is_event ? end() : end_by(message.time));
     for (const TopicUse::Label& label : use.labels) {

@@ -18,7 +18,8 @@ struct BagTopic {
   TopicEncoding encoding;
 
   bool is_same(const BagTopic& other) const {
-    return name == other.name && encoding.type == other.encoding.type;
+    return name == other.name && encoding.type == other.encoding.type &&
+           encoding.message_encoding == other.encoding.message_encoding;
   }
 };
 

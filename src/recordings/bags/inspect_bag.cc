@@ -19,7 +19,7 @@ void describe_topic(TopicSummary& summary, const BagTopic& topic, std::string_vi
   std::vector<double> values;
   std::string cdr;
   Result<std::string_view> decoded = message;
-  if (type.type) decoded = message_in_cdr(topic.encoding, *type.type, message, cdr);
+  if (type.messages.type) decoded = type.messages.in_cdr(message, cdr);
   for (const TopicChannel& channel : type.channels) {
     const Result<void> read = decoded.and_then(
         [&](std::string_view plain) { return channel.reader.read(plain, values); });

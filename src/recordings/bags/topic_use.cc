@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -10,7 +11,11 @@
 namespace somato {
 namespace {
 
-constexpr const char* kStamp = "header.stamp";
+// ROS 2 has the first, schemas of Foxglove have the second.
+constexpr const char* kStamps[] = {"header.stamp", "timestamp"};
+
+// The nanoseconds of a stamp must fit into 64 bits.
+constexpr double kMostSeconds = 9e9;
 
 class WordSink : public FieldSink {
  public:
@@ -65,7 +70,7 @@ class UseCompiler {
     SOMATO_TRY_VOID(add_event());
     const bool has_stamp = description_->trials.clock == BagClock::kHeader;
     if (has_stamp && !use_.channels.empty()) SOMATO_TRY_VOID(add_stamp());
-    use_.type = type_;
+    use_.messages = messages_;
     const bool is_used = !use_.channels.empty() || !use_.labels.empty() || use_.is_event;
     if (!is_used && use_.reason.empty()) use_.reason = "no channel or label mentions it";
     return std::move(use_);
@@ -73,10 +78,10 @@ class UseCompiler {
 
  private:
   Result<std::shared_ptr<const RosType>> type() {
-    if (!type_) {
-      SOMATO_TRY(type_, compile_topic_type(topic_->encoding));
+    if (!messages_.type) {
+      SOMATO_TRY(messages_, compile_topic_messages(topic_->encoding));
     }
-    return type_;
+    return messages_.type;
   }
 
   Result<void> add_channels() {
@@ -95,7 +100,7 @@ class UseCompiler {
 
   void add_known_channels() {
     TopicType known = topic_type(topic_->encoding);
-    type_ = known.type;
+    messages_ = known.messages;
     use_.reason = known.reason;
     for (TopicChannel& channel : known.channels) {
       use_.channels.push_back(
@@ -126,19 +131,20 @@ class UseCompiler {
 
   Result<void> add_stamp() {
     SOMATO_TRY(const auto type, this->type());
-    Result<FieldReader> stamp = FieldReader::compile(type, kStamp);
-    if (!stamp) {
-      return fail(ErrorKind::kUsage,
-                  fmt::format("messages of {} have no header with a stamp", topic_->encoding.type),
-                  {}, "use the receiver's clock");
+    for (const char* path : kStamps) {
+      Result<FieldReader> stamp = FieldReader::compile(type, path);
+      if (!stamp) continue;
+      use_.stamp = std::move(*stamp);
+      return {};
     }
-    use_.stamp = std::move(*stamp);
-    return {};
+    return fail(ErrorKind::kUsage,
+                fmt::format("messages of {} have no header with a stamp", topic_->encoding.type),
+                {}, "use the receiver's clock");
   }
 
   const BagTopic* topic_;
   const BagImport* description_;
-  std::shared_ptr<const RosType> type_;
+  TopicMessages messages_;
   TopicUse use_;
 };
 
@@ -162,7 +168,9 @@ Result<std::string> words_at(const FieldReader& reader, std::string_view message
 Result<std::int64_t> stamp_in(const FieldReader& reader, std::string_view message) {
   TimeSink sink;
   SOMATO_TRY_VOID(reader.read(message, sink));
-  if (sink.numbers.size() != 2) return fail(ErrorKind::kData, "the stamp is not a time");
+  const bool is_time = sink.numbers.size() == 2 && std::abs(sink.numbers[0]) <= kMostSeconds &&
+                       std::abs(sink.numbers[1]) <= kMostSeconds;
+  if (!is_time) return fail(ErrorKind::kData, "the stamp is not a time, or is missing");
   return static_cast<std::int64_t>(sink.numbers[0]) * kNanosecondsASecond +
          static_cast<std::int64_t>(sink.numbers[1]);
 }

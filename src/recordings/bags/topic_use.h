@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,7 +26,7 @@ struct TopicUse {
     FieldReader reader;
   };
 
-  std::shared_ptr<const RosType> type;  ///< nullptr if nothing is read.
+  TopicMessages messages;  ///< Without a type if nothing is read.
   std::vector<Channel> channels;
   std::vector<Label> labels;
   bool is_event = false;

@@ -72,16 +72,18 @@ Result<RecordingInterpreter::Stream*> RecordingInterpreter::stream_of(std::uint1
   Stream stream;
   stream.explorations = is_exploration_schema(schema);
   if (!stream.explorations) {
-    SOMATO_TRY(stream.sources, sources_of(schema, file_->channel(id)));
+    const McapChannel& channel = file_->channel(id);
+    const TopicType& topic = topic_of_schema(schema, channel.message_encoding);
+    stream.messages = topic.messages;
+    SOMATO_TRY(stream.sources, sources_of(schema, channel, topic));
   }
   return &streams_.emplace(id, std::move(stream)).first->second;
 }
 
 // Recordings of explorations have frames in messages of few types.
 Result<std::vector<RecordingInterpreter::Source>> RecordingInterpreter::sources_of(
-    const McapSchema& schema, const McapChannel& channel) {
+    const McapSchema& schema, const McapChannel& channel, const TopicType& topic) {
   std::vector<Source> sources;
-  const TopicType& topic = topic_of_schema(schema, channel.message_encoding);
   if (topic.channels.empty()) return sources;
   if (!decided_) {
     decided_ = true;
@@ -102,7 +104,8 @@ const TopicType& RecordingInterpreter::topic_of_schema(const McapSchema& schema,
                                                        const std::string& message_encoding) {
   const auto [known, is_new] = topics_.try_emplace({schema.id, message_encoding});
   if (is_new && known_type(schema.name)) {
-    const std::optional<std::string> standard = standard_definition(schema.name);
+    const bool is_cdr = message_encoding == "cdr";
+    const auto standard = is_cdr ? standard_definition(schema.name) : std::nullopt;
     known->second = topic_type({schema.name, message_encoding,
                                 standard ? std::string(kRosDefinitions) : schema.encoding,
                                 standard.value_or(schema.data)});
@@ -207,7 +210,11 @@ Result<RecordingInterpreter::Meaning> RecordingInterpreter::interpret_frames(
         fmt::format("a frame of {} has the time {} ns", shown(name), message.log_time));
   }
   frames_.clear();
-  for (Source& source : stream.sources) SOMATO_TRY_VOID(take_frame(source, message));
+  McapMessage decoded = message;
+  const auto cdr = stream.messages.in_cdr(message.data, cdr_);
+  if (!cdr) return bad_frame(stream.sources.front(), cdr.error());
+  decoded.data = *cdr;
+  for (Source& source : stream.sources) SOMATO_TRY_VOID(take_frame(source, decoded));
   return frames_.empty() ? Meaning::kNothing : Meaning::kFrame;
 }
 

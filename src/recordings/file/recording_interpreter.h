@@ -84,13 +84,15 @@ class RecordingInterpreter {
   // The properties of a channel of the file.
   struct Stream {
     bool explorations = false;
+    TopicMessages messages;
     std::vector<Source> sources;
   };
 
   bool is_left_out() const { return !foreign_ && file_->notes().is_left_out(exploration_.index); }
   Result<Meaning> interpret_any(const McapMessage& message);
   Result<Stream*> stream_of(std::uint16_t id);
-  Result<std::vector<Source>> sources_of(const McapSchema& schema, const McapChannel& channel);
+  Result<std::vector<Source>> sources_of(const McapSchema& schema, const McapChannel& channel,
+                                         const TopicType& topic);
   const TopicType& topic_of_schema(const McapSchema& schema, const std::string& message_encoding);
   Result<ChannelDescription> describe(const McapChannel& channel, const TopicChannel& source);
   Result<Meaning> interpret_exploration(std::string_view json);
@@ -120,6 +122,7 @@ class RecordingInterpreter {
   std::string continue_json_;  // The messages that continue or end it, as they are written here.
   std::string end_json_;
   std::vector<Frame> frames_;
+  std::string cdr_;             // The message that is being taken, unless the file has it in CDR.
   std::vector<double> values_;  // The frame that is being taken.
   std::size_t described_ = 0;   // Bytes of metadata.
   bool open_ = false;

@@ -32,7 +32,11 @@ class CdrWriter {
   template <typename T>
   CdrWriter& numbers(std::span<const T> values) {
     number(static_cast<std::uint32_t>(values.size()));
-    for (const T value : values) number(value);
+    if constexpr (sizeof(T) == 1) {
+      bytes_.append(values.begin(), values.end());
+    } else {
+      for (const T value : values) number(value);
+    }
     return *this;
   }
   const std::string& bytes() const { return bytes_; }

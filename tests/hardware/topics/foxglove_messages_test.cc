@@ -26,6 +26,27 @@ TEST(FoxgloveMessages, AnAdvertisementNamesTopics) {
   EXPECT_EQ(topics[1].definition_encoding, "ros2msg");  // version 1 of the protocol has none
 }
 
+// The examples of RFC 4648.
+TEST(FoxgloveMessages, DefinitionsInProtobufAreInBase64) {
+  const auto definition_in = [](const std::string& schema) {
+    return parse_server_message(
+               R"({"op":"advertise","channels":[{"id":3,"topic":"/x","encoding":"protobuf",)"
+               R"("schemaName":"a.B","schemaEncoding":"protobuf","schema":")" +
+                   schema + "\"}]}",
+               "ws://robot")
+        .map([](const ServerMessage& message) {
+          return std::get<Advertisement>(message).topics.at(0).definition;
+        });
+  };
+  EXPECT_EQ(definition_in(""), "");
+  EXPECT_EQ(definition_in("Zg=="), "f");
+  EXPECT_EQ(definition_in("Zm8="), "fo");
+  EXPECT_EQ(definition_in("Zm9v"), "foo");
+  EXPECT_EQ(definition_in("Zm9vYmE"), "fooba");
+  EXPECT_EQ(definition_in("/+8="), "\xFF\xEF");
+  EXPECT_FALSE(definition_in("a.b"));
+}
+
 TEST(FoxgloveMessages, WithdrawalsAndStatesAreRead) {
   const auto withdrawn =
       parse_server_message(R"({"op":"unadvertise","channelIds":[3,4]})", "ws://robot");

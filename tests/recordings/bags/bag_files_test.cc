@@ -121,9 +121,9 @@ TEST(BagFiles, OldBagsTakeDefinitionsFromAFolder) {
   const auto bag = find_bags(folder.file("a.db3")).value()[0];
   EXPECT_TRUE(open_bag(bag).value()->topics()[0].encoding.definition.empty());
   const auto source = open_bag(bag, folder.file("msgs")).value();
-  const auto type = compile_topic_type(source->topics()[0].encoding);
-  ASSERT_TRUE(type) << to_string(type.error());
-  EXPECT_EQ((*type)->structures.size(), 2U);
+  const auto messages = compile_topic_messages(source->topics()[0].encoding);
+  ASSERT_TRUE(messages) << to_string(messages.error());
+  EXPECT_EQ(messages->type->structures.size(), 2U);
   EXPECT_FALSE(open_bag(bag, folder.path() + "/none"));
 }
 

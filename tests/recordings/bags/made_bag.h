@@ -28,8 +28,12 @@ class MadeBag {
 
   std::uint16_t topic(const std::string& name, const std::string& type,
                       const std::string& definition) {
-    const McapSchema schema{0, type, "ros2msg", definition};
-    return file_.channel(&schema, {0, 0, name, "cdr", {}}).value();
+    return topic(name, {0, type, "ros2msg", definition}, "cdr");
+  }
+
+  std::uint16_t topic(const std::string& name, const McapSchema& schema,
+                      const std::string& message_encoding) {
+    return file_.channel(&schema, {0, 0, name, message_encoding, {}}).value();
   }
 
   MadeBag& add(std::uint16_t topic, std::int64_t milliseconds, const std::string& message) {

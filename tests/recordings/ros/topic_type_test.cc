@@ -21,8 +21,10 @@ TEST(TopicType, KnownTypesHaveChannelsWithUnits) {
 
 TEST(TopicType, WithoutChannelsThereIsAReason) {
   const auto reason_of = [](const TopicEncoding& encoding) { return topic_type(encoding).reason; };
-  EXPECT_EQ(reason_of({"a/B", "protobuf", "protobuf", "..."}),
-            "its messages are in the encoding 'protobuf', not in CDR or JSON");
+  EXPECT_EQ(reason_of({"a/B", "cbor", "", ""}),
+            "its messages are in the encoding 'cbor', not in CDR, JSON or protobuf");
+  EXPECT_EQ(reason_of({"a/B", "protobuf", "ros2msg", "..."}),
+            "its messages are in protobuf, their definition is in the encoding 'ros2msg'");
   EXPECT_EQ(reason_of({"a/B", "json", "jsonschema", "{}"}),
             "JSON Schema: the messages are not objects with properties");
   EXPECT_EQ(reason_of({"a/B", "json", "", ""}), "its messages in JSON have no JSON Schema");
