@@ -2,15 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/support/temporary_folder.h"
 #include "recordings/bags/made_bag.h"
 #include "recordings/file/ros_messages.h"
-#include "recordings/mcap/mcap_writer.h"
 #include "somato/recording/inspect_recording.h"
 #include "somato/recording/recover_recording.h"
 
@@ -74,28 +71,27 @@ TEST(InspectBag, FilesOfOtherProgramsAreNotCalledDamaged) {
   }
 }
 
+// The second name is that of a standard type of ROS, whose definition is not that of messages in
+// JSON.
 TEST(InspectBag, TopicsInJsonHaveTheirSchema) {
-  const TemporaryFolder folder;
-  std::ofstream out(folder.file("a.mcap"), std::ios::binary);
-  McapWriter file(
-      [&](std::string_view bytes) {
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        return Result<void>();
-      },
-      Compression::kNone, std::size_t{1} << 20);
-  (void)file.begin({"", "test"});
-  const McapSchema schema{0, "sensor_msgs/JointState", "jsonschema",
-                          R"({"type": "object", "properties": {"name": {"type": "array", "items":
-                              {"type": "string"}}, "position": {"type": "array", "items":
-                              {"type": "number"}}}})"};
-  const auto id = file.channel(&schema, {0, 0, "/joints", "json", {}}).value();
-  (void)file.add({id, 0, 5, 5, R"({"name": ["a", "b"], "position": [1, 2]})"});
-  (void)file.finish();
-  out.close();
-  const auto summary = inspect_bag(find_bags(folder.path()).value()[0]);
-  ASSERT_TRUE(summary) << to_string(summary.error());
-  ASSERT_EQ(summary->topics[0].channels.size(), 1U) << summary->topics[0].reason;
-  EXPECT_EQ(summary->topics[0].channels[0].elements, 2U);
+  for (const char* name : {"sensor_msgs/JointState", "sensor_msgs/msg/JointState"}) {
+    const TemporaryFolder folder;
+    MadeBag made(folder.file("a.mcap"));
+    const McapSchema schema{0, name, "jsonschema",
+                            R"({"type": "object", "properties": {"name": {"type": "array", "items":
+                                {"type": "string"}}, "position": {"type": "array", "items":
+                                {"type": "number"}}}})"};
+    const auto joints = made.topic("/joints", schema, "json");
+    made.add(joints, 5, R"({"name": ["a", "b"], "position": [1, 2]})").finish();
+    const auto summary = inspect_bag(find_bags(folder.path()).value()[0]);
+    ASSERT_TRUE(summary) << to_string(summary.error());
+    ASSERT_EQ(summary->topics[0].channels.size(), 1U) << summary->topics[0].reason;
+    EXPECT_EQ(summary->topics[0].channels[0].elements, 2U);
+    const auto recording = inspect_recording(folder.file("a.mcap"));
+    ASSERT_TRUE(recording) << to_string(recording.error());
+    EXPECT_FALSE(recording->damage || recording->unfit);
+    ASSERT_EQ(recording->channels.size(), 1U);
+  }
 }
 
 }  // namespace
