@@ -169,8 +169,10 @@ class BagReading {
     const std::string& name = source.description.name;
     SOMATO_TRY(const bool has_all,
                located(source.reader.read(message.data, orders_->at(name), values_), message));
-    if (!has_all) ++without_elements_[{message.topic, name}];
-    if (values_.empty()) return {};
+    if (values_.empty()) {
+      ++(has_all ? without_values_ : without_elements_)[{message.topic, name}];
+      return {};
+    }
     SOMATO_TRY(ImportedChannel * channel, channel_for(source, message));
     if (values_.size() != channel->elements) {
       return bad(fmt::format("the frame of {} has {} elements, the first one {}", shown(name),
@@ -363,6 +365,12 @@ class BagReading {
       add_left_out(report, of.first, messages,
                    fmt::format("without all elements of channel {}", shown(of.second)));
     }
+    // Fields that no message of the topic uses, such as efforts, are no channel.
+    for (const auto& [of, messages] : without_values_) {
+      if (!channels_.contains(of.second)) continue;
+      add_left_out(report, of.first, messages,
+                   fmt::format("without values of channel {}", shown(of.second)));
+    }
   }
 
   void add_left_out(BagImportReport& report, std::size_t topic, std::uint64_t messages,
@@ -411,7 +419,9 @@ class BagReading {
   std::unique_ptr<BagSource> source_;
   std::vector<TopicUse> uses_;
   std::vector<std::uint64_t> messages_;
-  std::map<std::pair<std::size_t, std::string>, std::uint64_t> without_elements_;
+  using MessagesOfChannel = std::map<std::pair<std::size_t, std::string>, std::uint64_t>;
+  MessagesOfChannel without_elements_;  // By topic and name of the channel.
+  MessagesOfChannel without_values_;
   std::set<std::size_t> zero_stamps_;  // Topics with such a stamp; a simulation may begin at 0.
   std::map<std::string, ImportedChannel> channels_;
   std::vector<std::string> order_;

@@ -38,6 +38,18 @@ bool has_layout(const RosType& type) {
          type.structures[*fields.front().structure].name == "std_msgs/MultiArrayLayout";
 }
 
+// The names that select elements: not the places of values without a name, and nothing if a name is
+// not unique.
+std::vector<std::string> selectable(const std::vector<std::string>& names,
+                                    const std::string& field) {
+  std::vector<std::string> selection;
+  for (const std::string& name : names) {
+    if (std::find(selection.begin(), selection.end(), name) != selection.end()) return {};
+    if (!name.starts_with(field + "[")) selection.push_back(name);
+  }
+  return selection;
+}
+
 Result<std::vector<double>> numbers_at(const FieldReader& reader, std::string_view message) {
   std::vector<double> values;
   Numbers sink(values);
@@ -144,9 +156,12 @@ Result<void> ChannelReader::learn(std::string_view message, const std::string& k
   Result<void> learnt = order.learn(key, names);
   if (learnt || !names_ || values_.size() > 1 || order.names().empty()) return learnt;
   if (learnt.error().advice.empty()) {
-    learnt.error().advice =
-        fmt::format("select the elements by name, so that other messages are left out: {}[{}]",
-                    values_.front().path_to_elements(), fmt::join(order.names(), ","));
+    const std::string field = values_.front().path_to_elements();
+    std::vector<std::string> selection = selectable(order.names(), field);
+    if (selection.empty()) selection = selectable(names, field);
+    learnt.error().advice = fmt::format(
+        "select the elements by name, so that other messages are left out: {}[{}]", field,
+        selection.empty() ? "NAME" : fmt::format("{}", fmt::join(selection, ",")));
   }
   return learnt;
 }

@@ -182,8 +182,13 @@ Result<std::vector<std::string>> ElementNames::of(const std::vector<FieldReader>
     NamesOfPath of_path(texts, path.depth());
     for (const Place& place : values.places) {
       std::string name = of_path.name_of(place);
-      is_named = is_named && !name.empty();
-      if (paths.size() > 1) name = element_of_path(path, name);
+      const bool is_padding = name.empty() && path.is_padded();
+      is_named = is_named && (!name.empty() || is_padding);
+      if (is_padding) {
+        name = to_string(place);
+      } else if (paths.size() > 1) {
+        name = element_of_path(path, name);
+      }
       names.push_back(std::move(name));
     }
     is_named = is_named && (!path.has_all_elements() || of_path.has_used_all());

@@ -24,8 +24,9 @@ class ElementNames {
                                       const std::string& names);
 
   /// The names of the values of each of `paths`, one path after the other; empty unless there is a
-  /// text for every value and, where a path selects all elements, a value for every text. With
-  /// several paths, a name contains its path: `position[elbow]`. Errors: as FieldReader::read().
+  /// text for every value and, where a path selects all elements, a value for every text. Elements
+  /// without a text at a path with padding have their places as names: `position[3]`. With several
+  /// paths, a name contains its path: `position[elbow]`. Errors: as FieldReader::read().
   Result<std::vector<std::string>> of(const std::vector<FieldReader>& paths,
                                       std::string_view message) const;
 

@@ -425,6 +425,11 @@ bool FieldReader::has_all_elements() const {
   });
 }
 
+bool FieldReader::is_padded() const {
+  return std::any_of(steps_.begin(), steps_.end(),
+                     [](const Step& step) { return step.elements.is_padded; });
+}
+
 bool FieldReader::has_varying_places() const {
   std::size_t sequences = 0;
   for (std::size_t i = 0; i < depth(); ++i) sequences += has_fixed_length(i) ? 0U : 1U;

@@ -101,6 +101,9 @@ class FieldReader {
   /// Whether the path selects all elements of all fields.
   bool has_all_elements() const;
 
+  /// Whether the path selects a number of elements that messages may lack.
+  bool is_padded() const;
+
   /// Whether messages with the same number of values can have them at different places.
   bool has_varying_places() const;
 

@@ -298,6 +298,28 @@ TEST_F(NamedJointsTest, SelectedElementsAreReadAndOtherMessagesCounted) {
   EXPECT_NE(refusal.find("aa"), std::string::npos) << refusal;
 }
 
+TEST_F(NamedJointsTest, MessagesWithoutValuesAreCounted) {
+  const Imported result = of({{0, {}}, {10, {"a", "b"}}, {20, {}}, {30, {"b", "a"}}});
+  ASSERT_TRUE(result.report) << result.refusal();
+  EXPECT_EQ(result.explorations[0].channels[0].frames.rows(), 2U);
+  ASSERT_EQ(result.report->left_out.size(), 1U);  // Not the velocities, which no message has.
+  EXPECT_EQ(result.report->left_out[0].messages, 2U);
+  EXPECT_EQ(result.report->left_out[0].reason, "without values of channel 'joints'");
+}
+
+TEST_F(NamedJointsTest, PaddedElementsArePlacedByTheirNames) {
+  const std::string padded = "arm=/joints:position[*:4]";
+  const Imported result = of({{0, {"b", "a"}}, {10, {"a", "b"}}}, padded);
+  ASSERT_TRUE(result.report) << result.refusal();
+  const Channel& channel = result.explorations[0].channels[0];
+  EXPECT_EQ(channel.element_names,
+            (std::vector<std::string>{"b", "a", "position[2]", "position[3]"}));
+  EXPECT_EQ(row(result.explorations[0], 0, 0), (FloatValues{1, 0, 0, 0}));
+  EXPECT_EQ(row(result.explorations[0], 0, 1), (FloatValues{1, 0, 0, 0}));
+  const std::string refusal = of({{0, {"a", "b"}}, {10, {"b"}}}, padded).refusal();
+  EXPECT_NE(refusal.find("position[a,b]"), std::string::npos) << refusal;
+}
+
 TEST_F(NamedJointsTest, MessagesOutOfOrderAreSortedByTime) {
   const Imported result = of({{20, {"a"}}, {0, {"a"}}, {10, {"a"}}});
   ASSERT_TRUE(result.report) << result.refusal();

@@ -134,6 +134,23 @@ TEST(ChannelReader, ElementsOfSeveralPathsHaveTheNamesOfTheirFields) {
   EXPECT_EQ(order.names(), (Names{"position[b]", "effort[a]"}));
 }
 
+TEST(ChannelReader, TheAdviceNamesElementsThatCanBeSelected) {
+  const auto type = type_of("string[] name\nfloat64[] position\n");
+  const auto reader = ChannelReader::compile(type, {"position"}).value();
+  const auto advice = [&](const std::string& first, const std::string& second) {
+    ElementOrder order = reader.order();
+    Values values;
+    EXPECT_TRUE(reader.read(first, order, values));
+    return reader.read(second, order, values).error().advice;
+  };
+  const std::string unnamed = joints({}, {1, 2});
+  EXPECT_NE(advice(unnamed, joints({"a", "b"}, {1, 2})).find("position[a,b]"), std::string::npos);
+  EXPECT_NE(advice(joints({"a", "b"}, {1, 2}), unnamed).find("position[a,b]"), std::string::npos);
+  const std::string twice = joints({"c", "c"}, {1, 2});
+  EXPECT_NE(advice(twice, joints({"a", "b"}, {1, 2})).find("position[a,b]"), std::string::npos);
+  EXPECT_NE(advice(twice, unnamed).find("position[NAME]"), std::string::npos);
+}
+
 // The interfaces of ros2_control: each joint with any interfaces in any order.
 TEST(ChannelReader, NamesOfSeveralLevelsAreJoined) {
   const auto type = type_of(
