@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "recordings/explorations/nanoseconds.h"
 #include "recordings/ros/topic_type.h"
@@ -11,10 +12,10 @@
 namespace somato {
 namespace {
 
-// The channels that have values in the first message of the topic.
-void describe_topic(TopicSummary& summary, const BagTopic& topic, std::string_view message) {
-  TopicType type = topic_type(topic.encoding);
-  summary.reason = std::move(type.reason);
+// The channels that have values in the first message with values.
+void describe_topic(TopicSummary& summary, const BagTopic& topic, const TopicType& type,
+                    std::string_view message) {
+  summary.reason = type.reason;
   const std::string base = topic.name.substr(topic.name.starts_with('/') ? 1 : 0);
   std::vector<double> values;
   std::string cdr;
@@ -31,15 +32,15 @@ void describe_topic(TopicSummary& summary, const BagTopic& topic, std::string_vi
   }
   if (!summary.channels.empty()) summary.reason.clear();
   if (summary.channels.empty() && summary.reason.empty()) {
-    summary.reason = "its first message holds no values";
+    summary.reason = "its messages hold no values";
   }
 }
 
 void add_time(TopicSummary& summary, std::int64_t time) {
-  if (summary.messages == 0) summary.first = time;
   if (summary.messages > 0 && time < summary.last) ++summary.set_back;
   if (summary.messages > 0) {
     summary.longest_gap = std::max(summary.longest_gap, time - summary.last);
+    summary.passed += std::max(time - summary.last, std::int64_t{0});
   }
   if (!is_of_calendar(time)) ++summary.not_of_calendar;
   summary.last = time;
@@ -57,13 +58,14 @@ void add_differences(BagSummary& summary, const BagMetadata& listed) {
 }  // namespace
 
 double TopicSummary::rate() const {
-  if (messages < 2 || last <= first) return 0.0;
-  return static_cast<double>(messages - 1) / (static_cast<double>(last - first) / 1e9);
+  if (passed == 0) return 0.0;
+  return static_cast<double>(messages - 1 - set_back) / (static_cast<double>(passed) / 1e9);
 }
 
 Result<BagSummary> inspect_bag(const BagLocation& bag, const std::string& definitions) {
   SOMATO_TRY(const std::unique_ptr<SortedBag> source, open_bag(bag, definitions));
   BagSummary summary{bag.name, bag.files.size(), {}, 0, bag.remarks, std::nullopt};
+  std::vector<TopicType> types;
   for (;;) {
     Result<std::optional<BagMessage>> message = source->next();
     if (!message) summary.damage = std::move(message.error());
@@ -71,10 +73,13 @@ Result<BagSummary> inspect_bag(const BagLocation& bag, const std::string& defini
     for (std::size_t i = summary.topics.size(); i < source->topics().size(); ++i) {
       const BagTopic& topic = source->topics()[i];
       summary.topics.push_back({topic.name, topic.encoding.type, {}, "it has no messages"});
+      types.push_back(topic_type(topic.encoding));
     }
-    TopicSummary& topic = summary.topics[(*message)->topic];
-    if (topic.messages == 0) {
-      describe_topic(topic, source->topics()[(*message)->topic], (*message)->data);
+    const std::size_t index = (*message)->topic;
+    TopicSummary& topic = summary.topics[index];
+    const bool may_have_values = !types[index].channels.empty() && topic.channels.empty();
+    if (topic.messages == 0 || may_have_values) {
+      describe_topic(topic, source->topics()[index], types[index], (*message)->data);
     }
     add_time(topic, (*message)->time);
   }

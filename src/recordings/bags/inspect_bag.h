@@ -16,20 +16,20 @@ struct TopicSummary {
   struct Channel {
     std::string name;
     std::string unit;
-    std::size_t elements = 0;  ///< In the first message.
+    std::size_t elements = 0;  ///< In the first message that has values.
   };
   std::string name;
   std::string type;
   std::vector<Channel> channels;
   std::string reason;  ///< Why there are no channels; empty if there are.
   std::uint64_t messages = 0;
-  std::int64_t first = 0;  ///< Nanoseconds by the recorder's clock.
-  std::int64_t last = 0;
+  std::int64_t last = 0;       ///< The time of the latest message, in ns by the recorder's clock.
+  std::int64_t passed = 0;     ///< The time in which that clock went forward, in ns.
   std::uint64_t set_back = 0;  ///< How often the time of a message precedes that of the one before.
   std::uint64_t not_of_calendar = 0;  ///< Messages with times before the year 2000.
   std::int64_t longest_gap = 0;
 
-  /// Messages per second, or 0 if there are no two times.
+  /// Messages per second while the clock went forward, or 0 if there are no two times.
   double rate() const;
 };
 

@@ -45,6 +45,39 @@ TEST(InspectBag, EveryTopicHasChannelsOrAReason) {
   EXPECT_EQ(summary->displaced, 1U);
 }
 
+TEST(InspectBag, ChannelsAreThoseOfTheFirstMessageWithValues) {
+  const TemporaryFolder folder;
+  MadeBag made(folder.file("a.mcap"));
+  const auto joints =
+      made.topic("/joints", "sensor_msgs/msg/JointState", joint_state_schema().data);
+  const auto empty = made.topic("/empty", "sensor_msgs/msg/JointState", joint_state_schema().data);
+  for (int i = 0; i < 3; ++i) {
+    made.add(joints, 10 * i, joint_state_message(0, {"a"}, std::vector<double>(i == 0 ? 0U : 1U)));
+    made.add(empty, 10 * i, joint_state_message(0, {}, std::vector<double>()));
+  }
+  made.finish();
+  const auto summary = inspect_bag(find_bags(folder.path()).value()[0]);
+  ASSERT_TRUE(summary) << to_string(summary.error());
+  ASSERT_EQ(summary->topics[0].channels.size(), 1U);
+  EXPECT_EQ(summary->topics[0].reason, "");
+  EXPECT_EQ(summary->topics[1].reason, "its messages hold no values");
+}
+
+// The rate of a clock that is set back is that of its two parts.
+TEST(InspectBag, TheRateIsThatOfTheClockWhileItGoesForward) {
+  const TemporaryFolder folder;
+  MadeBag made(folder.file("a.mcap"));
+  const auto own = made.topic("/own", "a/msg/X", "float64[] x\n");
+  for (const int begin : {50000, 10000}) {
+    for (int i = 0; i < 11; ++i) made.add(own, begin + 100 * i, numbers_message({1}));
+  }
+  made.finish();
+  const auto summary = inspect_bag(find_bags(folder.path()).value()[0]);
+  ASSERT_TRUE(summary) << to_string(summary.error());
+  EXPECT_EQ(summary->topics[0].set_back, 1U);
+  EXPECT_DOUBLE_EQ(summary->topics[0].rate(), 10.0);
+}
+
 // A file that is no recording as it is, because of its order or elements, is not damaged.
 TEST(InspectBag, FilesOfOtherProgramsAreNotCalledDamaged) {
   const TemporaryFolder folder;
