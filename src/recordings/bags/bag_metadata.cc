@@ -43,16 +43,18 @@ class MetadataLines {
  private:
   enum class List { kNone, kFiles, kTopics };
 
+  // The name of a topic and the number of its messages follow each other in either order.
   bool take_of_topic(std::string_view line) {
-    if (const auto name = value_of(line, "name")) topic_ = *name;
+    const auto name = value_of(line, "name");
     const auto count = value_of(line, "message_count");
-    std::uint64_t messages = 0;
-    if (count && !topic_.empty()) {
-      std::from_chars(count->data(), count->data() + count->size(), messages);
-      metadata.messages[topic_] = messages;
-      topic_.clear();
+    if (name) topic_ = *name;
+    if (count) std::from_chars(count->data(), count->data() + count->size(), messages_.emplace());
+    if (topic_ && messages_) {
+      metadata.messages[*topic_] = *messages_;
+      topic_.reset();
+      messages_.reset();
     }
-    return value_of(line, "name") || count || line == "topic_metadata:";
+    return name || count || line == "topic_metadata:";
   }
 
   void take_key(std::string_view line) {
@@ -65,7 +67,8 @@ class MetadataLines {
   }
 
   List list_ = List::kNone;
-  std::string topic_;
+  std::optional<std::string> topic_;
+  std::optional<std::uint64_t> messages_;
 };
 
 }  // namespace

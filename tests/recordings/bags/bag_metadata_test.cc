@@ -31,6 +31,19 @@ TEST(BagMetadata, FilesAndNumbersOfMessagesAreRead) {
   }
 }
 
+// Programs that sort the keys of YAML write the number of messages before the name.
+TEST(BagMetadata, TheKeysOfATopicHaveAnyOrder) {
+  const BagMetadata metadata = parse_bag_metadata(
+      "rosbag2_bagfile_information:\n  files:\n  - message_count: 20\n    path: b_0.mcap\n"
+      "  message_count: 70\n  relative_file_paths:\n  - b_0.mcap\n  topics_with_message_count:\n"
+      "  - message_count: 40\n    topic_metadata:\n      name: /joint_states\n"
+      "      offered_qos_profiles:\n      - depth: 10\n        history: keep_last\n"
+      "  - message_count: 30\n    topic_metadata:\n      name: /touch\n  version: 9\n");
+  EXPECT_EQ(metadata.files, (std::vector<std::string>{"b_0.mcap"}));
+  EXPECT_EQ(metadata.messages,
+            (std::map<std::string, std::uint64_t>{{"/joint_states", 40}, {"/touch", 30}}));
+}
+
 TEST(BagMetadata, DifferencesAreNamed) {
   const BagMetadata metadata = parse_bag_metadata(kText);
   EXPECT_TRUE(differences(metadata, {{"/joint_states", 40}, {"/touch", 30}}).empty());
