@@ -42,10 +42,15 @@ std::string CsvTimes::text() const {
 }
 
 std::string CsvTimes::how_to_convert() const {
+  std::vector<std::string> columns;
+  columns.reserve(trials_.time.size());
+  for (const std::string& name : trials_.time)
+    columns.push_back(fmt::format("frame[{}]", shown(name)));
   return fmt::format(
-      "convert the column, for example with pandas: frame[{0}] = pandas.to_datetime(frame[{0}], "
-      "dayfirst=True).map(pandas.Timestamp.isoformat), and import with --time-unit iso",
-      shown(trials_.time.front()));
+      "convert the {} with pandas: {} = pandas.to_datetime({}, "
+      "dayfirst=True).map(pandas.Timestamp.isoformat), and import {} with --time-unit iso",
+      columns.size() == 1 ? "column, for example" : "two columns into one, for example",
+      columns.front(), fmt::join(columns, " + ' ' + "), shown(trials_.time.front()));
 }
 
 std::string CsvTimes::names() const {

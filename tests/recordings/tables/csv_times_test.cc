@@ -103,6 +103,9 @@ TEST_F(CsvTimesOfAFile, AreExplainedWhereTheyAreNoTimes) {
     EXPECT_EQ(refusal("t,a\n" + text + ",1\n").find("'ignore'"), std::string::npos)
         << "a time cannot be ignored";
   }
+  plan_.trials.time = {"d", "t"};
+  expect_refused("d,t,a\n2025-04-17,05:00 PM,1\n", {"to_datetime(frame['d'] + ' ' + frame['t'], ",
+                                                    "import 'd' with --time-unit iso"});
 }
 
 TEST_F(CsvTimesOfAFile, AreRefusedBefore2000BesideLaterOnes) {
