@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <charconv>
 #include <optional>
 #include <string_view>
@@ -61,11 +62,13 @@ Result<Rollover> read_rollover(const Arguments& arguments) {
     rollover.every = *seconds;
     return rollover;
   }
-  SOMATO_TRY(rollover.bytes, bytes_in(text, "--every").map_error([](Error error) {
-    error.advice = "write a number and a unit, such as 30min, 1h, 1d or 500MB";
-    error.what = "must be a time or a size";
-    return error;
-  }));
+  const auto bytes = bytes_in(text, "--every");
+  const bool has_unit = !text.empty() && std::isalpha(static_cast<unsigned char>(text.back())) != 0;
+  if (!bytes || !has_unit) {
+    return fail(ErrorKind::kUsage, "must be a time or a size", "--every",
+                "write a number and a unit, such as 30min, 1h, 1d or 500MB");
+  }
+  rollover.bytes = *bytes;
   return rollover;
 }
 

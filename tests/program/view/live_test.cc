@@ -246,7 +246,8 @@ TEST_F(Live, RefusesFlagsWithoutEffect) {
                      {with({"--body", "lucs2", "-o", "x.mcap", "--every", "1h"}), {"{time}"}},
                      {with({"--body", "lucs2", "--every", "1h"}), {"{time}"}},
                      {with({"--body", "lucs2", "-o", "{time}", "--every", "0h"}), {"30min"}},
-                     {with({"--body", "lucs2", "-o", "{time}", "--every", "1w"}), {"30min"}}});
+                     {with({"--body", "lucs2", "-o", "{time}", "--every", "1w"}), {"30min"}},
+                     {with({"--body", "lucs2", "-o", "{time}", "--every", "500"}), {"30min"}}});
   learn();
   const Words recorded{"--recording", kTrials};
   const auto replay = [&](const Words& more) {
