@@ -40,7 +40,7 @@ for release in "${releases[@]}"; do
   fi
 done
 if [[ $(id -u) != 0 ]]; then
-  complain "root is required, to mount /proc and /dev in each system; run it with sudo"
+  complain "root is required, to mount /proc, /sys and /dev in each system; run it with sudo"
   exit 1
 fi
 if ! command -v debootstrap >/dev/null; then
@@ -52,7 +52,7 @@ work=$(mktemp -d /var/tmp/somato-systems.XXXXXX)
 trap 'rm -rf --one-file-system "$work"' EXIT
 mkdir -p "$logs"
 
-# inside ROOT COMMAND...: runs a command in a system, with /proc and /dev, in name spaces that end with it: no mount
+# inside ROOT COMMAND...: runs a command in a system, with /proc, /sys and /dev, in name spaces that end with it: no mount
 # and no process of it remains.
 inside() {
   # shellcheck disable=SC2016
@@ -60,6 +60,7 @@ inside() {
     root=$1 cache=$2
     shift 2
     mount -t proc proc "$root/proc"
+    mount -t sysfs -o ro sysfs "$root/sys"
     mount --rbind /dev "$root/dev"
     mount -t tmpfs tmpfs "$root/dev/shm"
     if [[ -n $cache ]]; then

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text/text.h"
+#include "bodies/body/kept_frames.h"
 #include "explore/placing.h"
 #include "recordings/bags/bag_description.h"
 #include "terminal/terminal.h"
@@ -46,6 +47,11 @@ Result<std::vector<topics::TopicSensor>> sensors_of(const Arguments& arguments) 
   return sensors;
 }
 
+Result<KeptFrames> keep_of(const Arguments& arguments) {
+  if (!arguments.has("keep")) return KeptFrames::kLatest;
+  return choice_named<KeptFrames>("choice of messages", arguments.text("keep"), "--keep");
+}
+
 Result<std::vector<ExploredThing>> things_of(const Arguments& arguments) {
   std::vector<ExploredThing> things;
   const std::string names = arguments.has("things") ? arguments.text("things") : "unknown";
@@ -82,6 +88,10 @@ std::vector<Flag> topic_flags() {
           {"--channels",
            "With --topics: the channels, as NAME:UNIT=/TOPIC:PATH+PATH, separated by commas; the "
            "unit is optional. Every message of the first topic is a frame"},
+          {"--keep",
+           "With --topics: the messages of the other topics that are recorded: latest, with each "
+           "frame of the first topic the latest ones, or every, each with its own time. Default: "
+           "latest"},
           {"--things",
            "With --topics: names of the things that are explored, separated by commas; a person "
            "places each. Default: one, 'unknown', that is there already"},
@@ -90,7 +100,7 @@ std::vector<Flag> topic_flags() {
 
 Result<void> check_topic_flags(const Arguments& arguments) {
   const bool has_topics = arguments.has("topics");
-  for (const char* flag : {"channels", "things", "duration"}) {
+  for (const char* flag : {"channels", "keep", "things", "duration"}) {
     if (!arguments.has(flag) || has_topics) continue;
     return fail(ErrorKind::kUsage, "has no effect without topics", fmt::format("--{}", flag),
                 "add --topics ws://HOST:PORT");
@@ -113,6 +123,7 @@ Result<BodySession> topic_session(const Arguments& arguments) {
   std::vector<std::string> channels;
   channels.reserve(exploring.sensors.size());
   for (const topics::TopicSensor& sensor : exploring.sensors) channels.push_back(sensor.name);
+  SOMATO_TRY(exploring.keep, keep_of(arguments));
   SOMATO_TRY(const auto duration, arguments.number("duration", 1));
   if (duration) exploring.duration = static_cast<double>(*duration);
   if (arguments.has("things")) exploring.place = place_by_person;

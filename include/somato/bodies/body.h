@@ -40,6 +40,10 @@ struct BodyState {
   /// For each sensor the frames recorded during the last step: frames x elements. A sensor without
   /// a rate has one, recorded at the end of the step. A reading that is missing is NaN.
   std::vector<Matrix<float>> readings;
+  /// For each sensor the times of these frames, in order, if they are not those of the step: the
+  /// sensor may then give any number of frames in a step, without a rate. Empty for the others;
+  /// empty as a whole if there is no such sensor.
+  std::vector<std::vector<double>> times = {};
 };
 
 /// Whether the readings of a step belong to the exploration, unlike those between two grasps.

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "bodies/body/driving.h"
-#include "bodies/body/frame_log.h"
 
 namespace somato {
 // As the exploration will have them: the frames have times, and no rate.
@@ -23,9 +22,9 @@ void ExplorationDraft::begin(const BodyDescription& body, std::vector<Label> lab
 Result<void> ExplorationDraft::open(const BodyState& state) {
   start_.time = state.time;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    const std::size_t frames = state.readings[i].rows();
-    if (frames == 0 || sensors_[i].rate == 0.0) continue;
-    start_.time = std::min(start_.time, frame_time(0, frames, sensors_[i].rate, state.time));
+    const FrameTimes times(state, i, sensors_[i].rate);
+    if (state.readings[i].rows() == 0 || !times.are_complete()) continue;
+    start_.time = std::min(start_.time, times[0]);
   }
   is_open_ = true;
   return to_->begin_draft(start_);
@@ -35,20 +34,19 @@ Result<void> ExplorationDraft::append(const BodyState& state) {
   if (state.readings.size() != sensors_.size()) return {};
   if (!is_open_) SOMATO_TRY_VOID(open(state));
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
-    SOMATO_TRY_VOID(append(i, state.readings[i], state.time));
+    SOMATO_TRY_VOID(append(i, state.readings[i], {state, i, sensors_[i].rate}));
   }
   return {};
 }
 
-Result<void> ExplorationDraft::append(std::size_t index, const Matrix<float>& frames, double end) {
+Result<void> ExplorationDraft::append(std::size_t index, const Matrix<float>& frames,
+                                      const FrameTimes& times) {
   Sensor& sensor = sensors_[index];
   if (frames.rows() == 0 || frames.columns() == 0) return {};
   if (sensor.elements == 0) sensor.elements = frames.columns();
-  const bool has_times = frames.rows() == 1 || sensor.rate > 0.0;
-  if (sensor.elements != frames.columns() || !has_times) return {};
+  if (sensor.elements != frames.columns() || !times.are_complete()) return {};
   for (std::size_t i = 0; i < frames.rows(); ++i) {
-    const double time = frame_time(i, frames.rows(), sensor.rate, end);
-    sensor.latest = std::max({sensor.latest, start_.time, time});
+    sensor.latest = std::max({sensor.latest, start_.time, times[i]});
     SOMATO_TRY_VOID(to_->draft_frame(index, frames.row(i), sensor.latest));
   }
   return {};

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bodies/body/frame_log.h"
 #include "recordings/file/growing_recording.h"
 #include "somato/bodies/body.h"
 #include "somato/recording/recording.h"
@@ -33,7 +34,7 @@ class ExplorationDraft {
   };
 
   Result<void> open(const BodyState& state);
-  Result<void> append(std::size_t sensor, const Matrix<float>& frames, double end);
+  Result<void> append(std::size_t sensor, const Matrix<float>& frames, const FrameTimes& times);
 
   GrowingRecording* to_;
   ExplorationStart start_;

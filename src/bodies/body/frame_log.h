@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "somato/bodies/body.h"
@@ -9,12 +10,25 @@
 
 namespace somato {
 
-/// The time of a frame, of the `frames` that a sensor with this rate (Hz, or 0) gave in a step that
-/// ended at `end`, in seconds.
-inline double frame_time(std::size_t frame, std::size_t frames, double rate, double end) {
-  const auto later = static_cast<double>(frames - 1 - frame);
-  return later == 0.0 ? end : end - later / rate;
-}
+/// The times of the frames that a sensor gave in a step, in seconds of the body's clock: its own,
+/// or evenly spaced at its rate up to the end of the step.
+class FrameTimes {
+ public:
+  /// `rate` is that of the sensor in Hz, or 0. `state` must outlive it.
+  FrameTimes(const BodyState& state, std::size_t sensor, double rate);
+
+  /// Whether each frame has a time.
+  bool are_complete() const;
+
+  /// The time of a frame; they must be complete.
+  double operator[](std::size_t frame) const;
+
+ private:
+  std::size_t frames_;
+  std::span<const double> own_;
+  double rate_;
+  double end_;
+};
 
 /// Appends frames to a channel with as many elements. A NaN is a reading that is missing: its value
 /// is then 0, and the channel marks it.
@@ -43,7 +57,7 @@ class FrameLog {
     bool times_known = true;
   };
 
-  Result<void> append(Sensor& sensor, const Matrix<float>& frames, double end);
+  Result<void> append(Sensor& sensor, const Matrix<float>& frames, const FrameTimes& times);
   void drop_all();
 
   std::vector<Sensor> sensors_;

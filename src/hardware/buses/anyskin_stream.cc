@@ -17,8 +17,7 @@ void AnySkinStream::receive(std::span<const std::uint8_t> bytes, double now) {
       temperatures_[i] = read[0];
       std::copy(read.begin() + 1, read.end(), values_.begin() + static_cast<std::ptrdiff_t>(3 * i));
     }
-    time_ = now;
-    ++frames_;
+    end_frame(now);
   }
 }
 

@@ -11,8 +11,7 @@ void NumberLineStream::receive(std::span<const std::uint8_t> bytes, double now) 
   for (const std::uint8_t byte : bytes) {
     if (!decoder_.take(byte)) continue;
     std::copy(decoder_.values().begin(), decoder_.values().end(), values_.begin());
-    time_ = now;
-    ++frames_;
+    end_frame(now);
   }
 }
 

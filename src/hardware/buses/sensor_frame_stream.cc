@@ -20,16 +20,14 @@ void SensorFrameStream::receive(std::span<const std::uint8_t> bytes, double now)
 }
 
 void SensorFrameStream::take(const wire::SensorFrame& frame, double now) {
-  if (frames_ == 0) {
+  if (frames() == 0) {
     microseconds_ = frame.microseconds;
   } else {
     follow(frame);
   }
   sequence_ = frame.sequence;
   std::copy(frame.values.begin(), frame.values.end(), values_.begin());
-  device_time_ = static_cast<double>(microseconds_) * 1e-6;
-  time_ = now;
-  ++frames_;
+  end_frame(now, static_cast<double>(microseconds_) * 1e-6);
 }
 
 void SensorFrameStream::follow(const wire::SensorFrame& frame) {

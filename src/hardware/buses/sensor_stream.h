@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "hardware/buses/frame_queue.h"
+
 namespace somato::devices {
 
 /// The values that a sensor board sends on its own over one serial line. It decodes bytes; nothing
@@ -35,6 +37,9 @@ class SensorStream {
   /// format has no time. It goes back only when the board restarts.
   std::optional<double> device_time() const { return device_time_; }
 
+  /// The frames that no one has taken; none unless the queue is open.
+  FrameQueue& queue() { return queue_; }
+
   /// Whole frames so far.
   std::size_t frames() const { return frames_; }
 
@@ -52,13 +57,24 @@ class SensorStream {
 
  protected:
   explicit SensorStream(std::size_t values)
-      : values_(values, std::numeric_limits<float>::quiet_NaN()) {}
+      : values_(values, std::numeric_limits<float>::quiet_NaN()), queue_(values) {}
+
+  /// The values are those of a whole frame, whose last byte arrived at `now`.
+  void end_frame(double now, std::optional<double> device_time = {}) {
+    time_ = now;
+    device_time_ = device_time;
+    ++frames_;
+    queue_.add(values_, now, device_time);
+  }
 
   std::vector<float> values_;
+  std::size_t lost_ = 0;
+
+ private:
   double time_ = -std::numeric_limits<double>::infinity();
   std::optional<double> device_time_;
   std::size_t frames_ = 0;
-  std::size_t lost_ = 0;
+  FrameQueue queue_;
 };
 
 }  // namespace somato::devices

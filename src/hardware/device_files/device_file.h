@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bodies/body/kept_frames.h"
 #include "hardware/protocols/bus_kind.h"
 #include "hardware/protocols/frame_format.h"
 #include "somato/bodies/body.h"
@@ -72,6 +73,7 @@ struct FrameLine {
   std::size_t baud = 115200;
   std::size_t elements = 0;
   double rate = 100.0;
+  KeptFrames keep = KeptFrames::kLatest;
 
   static const Declarations<FrameLine>& declarations();
 };
@@ -88,6 +90,9 @@ struct SensorSettings {
   double offset = 0.0;
 
   static const Declarations<SensorSettings>& declarations();
+
+  /// The value for what its origin gives.
+  float read(double given) const { return static_cast<float>(offset + gain * given); }
 };
 
 /// The table [microphone].

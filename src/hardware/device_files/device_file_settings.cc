@@ -101,7 +101,10 @@ const Declarations<FrameLine>& FrameLine::declarations() {
           .add("elements", &P::elements, "", Range::between(1, 4096),
                "Number of values in a frame. Required.")
           .add("rate", &P::rate, "Hz", Range::between(0.1, 100000),
-               "Number of frames per second that the board sends.");
+               "Number of frames per second that the board sends.")
+          .add("keep", &P::keep, "", Range::any(),
+               "The frames that are recorded: at the end of each step the latest, or every one "
+               "with its time. Their channels then have other times than those of the servos.");
   return declared;
 }
 

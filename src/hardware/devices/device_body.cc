@@ -75,6 +75,7 @@ class DeviceBody::Impl {
     watch_.begin();
     if (io_.samples() != nullptr) io_.samples()->keep(0);
     state_.time = 0.0;
+    state_.times.clear();
     state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
     read();
     return {};
@@ -103,6 +104,7 @@ class DeviceBody::Impl {
     state_.time = end;
     state_.positions.assign(motion_.positions().begin(), motion_.positions().end());
     read();
+    take_frames();
     take_samples(due);
     return {};
   }
@@ -176,9 +178,12 @@ class DeviceBody::Impl {
     start_ += now - moved_ - passed;
     moved_ = now - passed;
     next_tick_ = now;
-    io_.begin(now);
     // A line that has hung up is noticed in the next step.
-    if (catch_up() && io_.samples() != nullptr) io_.samples()->keep_oldest(samples_due(time()));
+    const bool is_connected = catch_up().has_value();
+    io_.begin(now);
+    if (is_connected && io_.samples() != nullptr) {
+      io_.samples()->keep_oldest(samples_due(time()));
+    }
   }
 
   // Lets the servos go on towards their targets until `now`.
@@ -284,6 +289,11 @@ class DeviceBody::Impl {
                 fmt::format("the sensor gave {} the limit of {:g}", gave, *file_.safety.limit),
                 file_.safety.sensor,
                 "reduce the speed or the threshold of the grasp, or raise 'limit'");
+  }
+
+  void take_frames() {
+    FrameQueue* const queue = io_.frame_queue();
+    if (queue != nullptr) reader_.take_frames(*queue, start_, start_ + state_.time, state_);
   }
 
   void read() { reader_.read(io_, motion_.positions(), state_.readings); }

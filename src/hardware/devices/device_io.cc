@@ -99,6 +99,16 @@ Result<void> DeviceIo::receive() {
   });
 }
 
+FrameQueue* DeviceIo::frame_queue() {
+  const bool is_kept = stream_ && file_.frame_line->keep == KeptFrames::kEvery;
+  return is_kept ? &stream_->queue() : nullptr;
+}
+
+void DeviceIo::begin(double now) {
+  begun_ = now;
+  if (FrameQueue* queue = frame_queue()) queue->begin(now);
+}
+
 Result<void> DeviceIo::reopen_microphone() {
   sound_->begin();
   return lines_.reopen(*numbers_.microphone);

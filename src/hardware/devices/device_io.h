@@ -77,6 +77,8 @@ class DeviceIo {
   /// Whether they contain positions that the servos measure.
   bool measures_positions() const { return bus_ && bus_->measures_positions(); }
   const SensorStream* stream() const { return stream_.get(); }
+  /// The frames to be taken; nullptr unless every frame is kept.
+  FrameQueue* frame_queue();
   SampleQueue* samples() { return samples_ ? &*samples_ : nullptr; }
   SampleClock* sound() { return sound_ ? &*sound_ : nullptr; }
 
@@ -88,8 +90,9 @@ class DeviceIo {
   double now() const { return lines_.now(); }
   void wait(double until) { lines_.wait(until); }
 
-  /// Forgets how old the last answers are, for the moment after a pause.
-  void begin(double now) { begun_ = now; }
+  /// Forgets how old the last answers are, and the frames that were not taken, for the moment after
+  /// a pause.
+  void begin(double now);
 
  private:
   bool is_silent(std::size_t servo, double now) const;

@@ -50,10 +50,10 @@ void SensorReader::read(const DeviceIo& io, std::span<const double> positions,
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const Sensor& sensor = sensors_[i];
     if (sensor.settings.from == SensorOrigin::kMicrophone) continue;
+    if (readings[i].rows() != 1) readings[i] = Matrix<float>(1, sensor.elements);
     for (std::size_t element = 0; element < sensor.elements; ++element) {
       const double given = value(sensor, element, io, positions);
-      readings[i](0, element) =
-          static_cast<float>(sensor.settings.offset + sensor.settings.gain * given);
+      readings[i](0, element) = sensor.settings.read(given);
     }
   }
 }
@@ -75,6 +75,24 @@ double SensorReader::greatest(std::string_view name, const DeviceIo& io,
   return greatest;
 }
 
+void SensorReader::take_frames(FrameQueue& queue, double start, double end, BodyState& state) {
+  queue.take(end, taken_, times_);
+  for (double& time : times_) time -= start;
+  state.times.resize(sensors_.size());
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    const Sensor& sensor = sensors_[i];
+    if (sensor.settings.from != SensorOrigin::kFrames) continue;
+    state.readings[i] = Matrix<float>(taken_.rows(), sensor.elements);
+    state.times[i] = times_;
+    for (std::size_t frame = 0; frame < taken_.rows(); ++frame) {
+      for (std::size_t element = 0; element < sensor.elements; ++element) {
+        const double given = taken_(frame, sensor.settings.first + element);
+        state.readings[i](frame, element) = sensor.settings.read(given);
+      }
+    }
+  }
+}
+
 void SensorReader::take_samples(SampleQueue& samples, std::size_t count,
                                 std::vector<Matrix<float>>& readings) const {
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
@@ -83,7 +101,7 @@ void SensorReader::take_samples(SampleQueue& samples, std::size_t count,
     readings[i] = Matrix<float>(count, 1);
     samples.take(readings[i].values());
     for (float& value : readings[i].values()) {
-      value = static_cast<float>(settings.offset + settings.gain * static_cast<double>(value));
+      value = settings.read(static_cast<double>(value));
     }
   }
 }

@@ -10,7 +10,8 @@
 namespace somato::devices {
 
 /// The readings of a device's sensors, computed from what the lines gave. Nothing allocates after
-/// prepare(), except for samples.
+/// prepare(), except for samples and for frames
+/// of which every one is kept.
 class SensorReader {
  public:
   explicit SensorReader(const DeviceFile& file);
@@ -25,6 +26,10 @@ class SensorReader {
   /// The greatest magnitude among the latest values of a sensor; NaN counts as infinite.
   double greatest(std::string_view sensor, const DeviceIo& io,
                   std::span<const double> positions) const;
+
+  /// The frames of the sensor line up to the time `end` of its queue, with their times from `start`
+  /// on, for the sensors that have them.
+  void take_frames(FrameQueue& queue, double start, double end, BodyState& state);
 
   /// The oldest `count` samples of the microphone.
   void take_samples(SampleQueue& samples, std::size_t count,
@@ -42,6 +47,8 @@ class SensorReader {
 
   const std::vector<ServoSettings> servos_;
   std::vector<Sensor> sensors_;
+  Matrix<float> taken_;
+  std::vector<double> times_;
 };
 
 }  // namespace somato::devices

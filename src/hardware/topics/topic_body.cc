@@ -15,13 +15,23 @@ namespace {
 
 constexpr double kWait = 0.05;  // s, between two looks whether the body is to stop
 constexpr double kNanoseconds = 1e-9;
-constexpr double kGap = 3.0;                                  // times the usual interval
+constexpr double kOnItsWay = 1.0;  // s, of a message that was sent before the exploration began
+constexpr double kGap = 3.0;       // times the usual interval
 constexpr std::size_t kMostIntervals = std::size_t{1} << 16;  // half a megabyte
 
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+Matrix<float> row_of(const std::vector<float>& values) {
+  return {1, values.size(), values};
+}
+
+Error went_back(const std::string& topic, double seconds) {
+  return {ErrorKind::kData, fmt::format("the clock of the server went back by {:.3f} s", seconds),
+          topic, "begin again when the clock of the robot is set"};
 }
 
 double now() {
@@ -37,9 +47,9 @@ Error with_topic(Error error, const std::string& topic) {
 
 Result<std::unique_ptr<TopicBody>> TopicBody::start(std::string name, TopicClient& client,
                                                     std::vector<TopicSensor> sensors,
-                                                    double patience) {
+                                                    double patience, KeptFrames keep) {
   require(!sensors.empty(), "a body of topics has at least one sensor");
-  std::unique_ptr<TopicBody> body(new TopicBody(std::move(name), client, patience));
+  std::unique_ptr<TopicBody> body(new TopicBody(std::move(name), client, patience, keep));
   SOMATO_TRY_VOID(body->subscribe(std::move(sensors)));
   SOMATO_TRY_VOID(body->wait_for_all());
   return body;
@@ -63,11 +73,18 @@ Result<void> TopicBody::subscribe(std::vector<TopicSensor> sensors) {
     auto reader = ChannelReader::compile(messages->type, sensor.paths, sensor.names);
     if (!reader) return fail(with_topic(std::move(reader.error()), sensor.topic));
     ElementOrder order = reader->order();
-    sensors_.push_back(
-        {std::move(sensor), index, std::move(*messages), std::move(*reader), std::move(order)});
+    sensors_.push_back({std::move(sensor),
+                        index,
+                        std::move(*messages),
+                        std::move(*reader),
+                        std::move(order),
+                        false,
+                        {},
+                        false});
   }
   description_.sensors.resize(sensors_.size());
   state_.readings.resize(sensors_.size());
+  if (keep_ == KeptFrames::kEvery) state_.times.resize(sensors_.size());
   return {};
 }
 
@@ -83,7 +100,9 @@ Result<void> TopicBody::wait_for_all() {
       for (std::size_t i = 0; i < sensors_.size(); ++i) {
         if (sensors_[i].topic != arrival.topic) continue;
         SOMATO_TRY(const bool is_frame, take_values(i, arrival));
-        if (is_frame && !sensors_[i].is_known) SOMATO_TRY_VOID(describe(i, arrival));
+        if (!is_frame) continue;
+        state_.readings[i] = row_of(sensors_[i].latest);
+        if (!sensors_[i].is_known) SOMATO_TRY_VOID(describe(i, arrival));
       }
     }
   }
@@ -113,6 +132,16 @@ void TopicBody::begin() {
   left_out_ = 0;
   first_time_.reset();
   state_.time = 0.0;
+  clear_frames();
+}
+
+// The values remain where only the latest ones are kept.
+void TopicBody::clear_frames() {
+  if (keep_ == KeptFrames::kLatest) return;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    state_.readings[i] = Matrix<float>(0, sensors_[i].latest.size());
+    state_.times[i].clear();
+  }
 }
 
 TopicTimes TopicBody::times() const {
@@ -146,6 +175,7 @@ Result<void> TopicBody::drive_to(std::span<const double> targets) {
 }
 
 Result<void> TopicBody::pass(double /*seconds*/) {
+  clear_frames();
   for (;;) {
     SOMATO_TRY(const auto arrival, next());
     SOMATO_TRY(const bool is_frame, take(arrival));
@@ -171,12 +201,41 @@ Result<bool> TopicBody::take(const Arrival& arrival) {
   bool is_frame = false;
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     if (sensors_[i].topic != arrival.topic) continue;
-    SOMATO_TRY(const bool has_values, take_values(i, arrival));
-    is_frame = is_frame || has_values;
+    SOMATO_TRY(sensors_[i].is_new, take_values(i, arrival));
+    is_frame = is_frame || sensors_[i].is_new;
   }
-  if (arrival.topic != 0 || !is_frame) return false;
-  SOMATO_TRY_VOID(keep_time(arrival.time));
-  return true;
+  is_frame = is_frame && arrival.topic == 0;
+  if (is_frame) SOMATO_TRY_VOID(keep_time(arrival.time));
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    if (std::exchange(sensors_[i].is_new, false)) SOMATO_TRY_VOID(add_frame(i, arrival.time));
+  }
+  return is_frame;
+}
+
+// A message that was on its way when the exploration began belongs to none.
+Result<void> TopicBody::add_frame(std::size_t index, std::uint64_t time) {
+  const Sensor& sensor = sensors_[index];
+  if (keep_ == KeptFrames::kLatest) {
+    state_.readings[index] = row_of(sensor.latest);
+    return {};
+  }
+  if (!first_time_) return {};
+  const double seconds = seconds_of(time);
+  if (seconds < -kOnItsWay) return fail(went_back(sensor.declared.topic, -seconds));
+  if (seconds < 0.0) return {};
+  std::vector<double>& times = state_.times[index];
+  if (!times.empty() && seconds < times.back()) {
+    return fail(went_back(sensor.declared.topic, times.back() - seconds));
+  }
+  times.push_back(seconds);
+  state_.readings[index].append(row_of(sensor.latest));
+  return {};
+}
+
+double TopicBody::seconds_of(std::uint64_t time) const {
+  const auto passed =
+      static_cast<double>(std::max(time, *first_time_) - std::min(time, *first_time_));
+  return (time < *first_time_ ? -passed : passed) * kNanoseconds;
 }
 
 // Whether the message has the elements of the sensor; otherwise it keeps its latest values.
@@ -189,23 +248,21 @@ Result<bool> TopicBody::take_values(std::size_t index, const Arrival& arrival) {
   if (!read) return fail(with_topic(std::move(read.error()), sensor.declared.topic));
   if (values_.empty()) ++left_out_;
   if (values_.empty()) return false;
-  const std::size_t before = state_.readings[index].columns();
+  const std::size_t before = sensor.latest.size();
   if (before != 0 && before != values_.size()) {
     return fail(
         ErrorKind::kData,
         fmt::format("a message has {} values, the first one had {}", values_.size(), before),
         sensor.declared.topic, "record it with 'ros2 bag record' and look at it");
   }
-  const auto missing = std::find_if(values_.begin(), values_.end(),
-                                    [](double value) { return !std::isfinite(value); });
-  if (missing != values_.end()) {
+  const auto infinite =
+      std::find_if(values_.begin(), values_.end(), [](double value) { return std::isinf(value); });
+  if (infinite != values_.end()) {
     return fail(ErrorKind::kData,
-                fmt::format("element {} of a message is missing or not a number",
-                            missing - values_.begin() + 1),
-                sensor.declared.topic, "select elements that every message has");
+                fmt::format("element {} of a message is infinite", infinite - values_.begin() + 1),
+                sensor.declared.topic, "select elements that are finite");
   }
-  state_.readings[index] =
-      Matrix<float>(1, values_.size(), std::vector<float>(values_.begin(), values_.end()));
+  sensor.latest.assign(values_.begin(), values_.end());
   return true;
 }
 
@@ -220,15 +277,12 @@ Result<void> TopicBody::keep_time(std::uint64_t time) {
                             words_of_time(static_cast<std::int64_t>(time))),
                 topics_.front(), "begin again when the clock of the robot is set");
   } else if (time < last_time_) {
-    return fail(ErrorKind::kData,
-                fmt::format("the clock of the server went back by {:.3f} s",
-                            static_cast<double>(last_time_ - time) * kNanoseconds),
-                topics_.front(), "begin again when the clock of the robot is set");
+    return fail(went_back(topics_.front(), static_cast<double>(last_time_ - time) * kNanoseconds));
   } else {
     keep_interval(static_cast<double>(time - last_time_) * kNanoseconds);
   }
   last_time_ = time;
-  state_.time = static_cast<double>(time - *first_time_) * kNanoseconds;
+  state_.time = seconds_of(time);
   return {};
 }
 

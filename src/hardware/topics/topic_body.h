@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bodies/body/kept_frames.h"
 #include "hardware/topics/topic_client.h"
 #include "recordings/explorations/element_order.h"
 #include "recordings/ros/channel_reader.h"
@@ -39,7 +40,9 @@ struct TopicTimes {
 /// clock, from the first message of the first topic since it began.
 ///
 /// A step ends with the next message of the first topic, however long that takes: every message of
-/// it is a frame, with its time. The other sensors have the values of their last message.
+/// it is a frame, with its time. The other sensors have the values of their last message, or, if
+/// every message is kept, a frame for each message since the step before, with its time. A number
+/// that a message lacks is NaN.
 class TopicBody : public Body {
  public:
   /// Subscribes to the topics and waits at most `patience` seconds for them and for a message of
@@ -47,8 +50,8 @@ class TopicBody : public Body {
   /// silent; (kUsage): an unknown topic or path; (kData): a message that cannot be read. Throws
   /// InvalidArgument for no sensors.
   static Result<std::unique_ptr<TopicBody>> start(std::string name, TopicClient& client,
-                                                  std::vector<TopicSensor> sensors,
-                                                  double patience);
+                                                  std::vector<TopicSensor> sensors, double patience,
+                                                  KeptFrames keep = KeptFrames::kLatest);
 
   const BodyDescription& description() const override { return description_; }
   const BodyState& state() const override { return state_; }
@@ -75,11 +78,13 @@ class TopicBody : public Body {
     TopicMessages messages;
     ChannelReader reader;
     ElementOrder order;
-    bool is_known = false;  ///< Whether it is described.
+    bool is_known = false;      ///< Whether it is described.
+    std::vector<float> latest;  ///< The values of its latest message.
+    bool is_new = false;        ///< Whether they are those of the message that is being taken.
   };
 
-  TopicBody(std::string name, TopicClient& client, double patience)
-      : client_(client), patience_(patience) {
+  TopicBody(std::string name, TopicClient& client, double patience, KeptFrames keep)
+      : client_(client), patience_(patience), keep_(keep) {
     description_.name = std::move(name);
   }
 
@@ -89,6 +94,9 @@ class TopicBody : public Body {
   Result<bool> take_values(std::size_t sensor, const Arrival& arrival);
   Result<void> describe(std::size_t sensor, const Arrival& arrival);
   Result<void> keep_time(std::uint64_t time);
+  Result<void> add_frame(std::size_t sensor, std::uint64_t time);
+  void clear_frames();
+  double seconds_of(std::uint64_t time) const;
   Result<Arrival> next();
   void keep_interval(double seconds);
   Error silent(const std::string& topic) const;
@@ -96,6 +104,7 @@ class TopicBody : public Body {
 
   TopicClient& client_;
   double patience_;
+  KeptFrames keep_;
   BodyDescription description_;
   BodyState state_;
   std::vector<std::string> topics_;

@@ -37,7 +37,7 @@ TopicExplorer::TopicExplorer(std::vector<ExploredThing> things, TopicExploring e
 Result<void> TopicExplorer::start() {
   SOMATO_TRY(client_, TopicClient::start(exploring_.address));
   SOMATO_TRY(body_, TopicBody::start(exploring_.address, *client_, exploring_.sensors,
-                                     exploring_.patience));
+                                     exploring_.patience, exploring_.keep));
   return {};
 }
 

@@ -16,8 +16,9 @@ namespace somato::topics {
 struct TopicExploring {
   std::string address;               ///< Such as "ws://robot:8765".
   std::vector<TopicSensor> sensors;  ///< At least one.
-  double duration = 5.0;             ///< Seconds of an exploration.
-  double patience = 5.0;             ///< Seconds without a message after which the robot is silent.
+  KeptFrames keep = KeptFrames::kLatest;
+  double duration = 5.0;  ///< Seconds of an exploration.
+  double patience = 5.0;  ///< Seconds without a message after which the robot is silent.
 
   /// Has a thing placed before the robot, before it is explored for the given trial; may be empty.
   std::function<Result<void>(const ExploredThing& thing, std::size_t trial)> place;

@@ -17,6 +17,14 @@ std::vector<double> rates_of(const BodyDescription& body) {
   return rates;
 }
 
+// The frames of a sensor that gives them without times are those of the end of the step.
+void append_times(Channel& channel, const FrameTimes& times, double end) {
+  const std::size_t before = channel.times.size();
+  channel.times.resize(channel.frames.rows(), end);
+  if (!times.are_complete()) return;
+  for (std::size_t i = before; i < channel.times.size(); ++i) channel.times[i] = times[i - before];
+}
+
 }  // namespace
 
 GrowingExploration::GrowingExploration(std::size_t index, const BodyDescription& body,
@@ -62,7 +70,7 @@ void GrowingExploration::append_frames(const BodyState& state) {
     Channel& channel = exploration_.channels[i];
     if (frames_[i] == 0) channel.frames = Matrix<float>(0, taken.columns());
     append_readings(channel, taken);
-    if (channel.rate == 0.0) channel.times.resize(channel.frames.rows(), state.time);
+    if (channel.rate == 0.0) append_times(channel, {state, i, 0.0}, state.time);
     frames_[i] += taken.rows();
   }
 }

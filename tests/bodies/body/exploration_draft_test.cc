@@ -58,12 +58,16 @@ TEST_F(ExplorationDraftTest, HasTheChannelsOfTheExploration) {
   ExplorationDraft draft(*file_);
   draft.begin(sensing_body(), {{"object", "ball"}});
   FrameLog log(sensing_body());
-  for (const BodyState& state : {sensed_state(0.25, {1, 2}, {10, 20, 30}),
-                                 sensed_state(0.5, {3, 4}, {40}), sensed_state(2, {5, 6}, {})}) {
+  BodyState timed = sensed_state(3, {7, 8}, {});
+  timed.readings[0] = Matrix<float>(2, 2, {7, 8, 9, 10});
+  timed.times = {{2.25, 2.75}};
+  for (const BodyState& state :
+       {sensed_state(0.25, {1, 2}, {10, 20, 30}), sensed_state(0.5, {3, 4}, {40}),
+        sensed_state(2, {5, 6}, {}), timed}) {
     ASSERT_TRUE(draft.append(state));
     ASSERT_TRUE(log.append(state));
   }
-  const Exploration found = recovered(3);
+  const Exploration found = recovered(5);
   EXPECT_EQ(found.labels, (std::vector<Label>{{"object", "ball"}}));
   EXPECT_EQ(found.source, "hand");
   const std::vector<Channel> expected = std::move(log).channels();

@@ -62,6 +62,28 @@ TEST(FrameLog, MarksMissingReadings) {
   EXPECT_TRUE(validate(Recording{{{{}, {}, channels}}}));
 }
 
+TEST(FrameLog, KeepsFramesOfASensorWithTimesOfItsOwn) {
+  FrameLog log(three_sensors());
+  BodyState skin = state_of(0.5, {0, 0}, {});
+  skin.readings[0] = Matrix<float>(3, 2, {1, 2, 3, 4, 5, 6});
+  skin.times = {{0.1, 0.2, 0.45}, {}, {}};
+  ASSERT_TRUE(log.append(skin));
+  skin.time = 1.0;
+  skin.readings[0] = Matrix<float>(0, 2);
+  skin.times[0].clear();
+  ASSERT_TRUE(log.append(skin));
+  skin.time = 1.5;
+  skin.readings[0] = Matrix<float>(1, 2, {7, 8});
+  skin.times[0] = {1.25};
+  ASSERT_TRUE(log.append(skin));
+  skin.readings[0] = Matrix<float>(2, 2, 0.0F);
+  EXPECT_EQ(log.append(skin).error().where, "touch");
+  const std::vector<Channel> channels = std::move(log).channels();
+  EXPECT_EQ(channels[0].frames, Matrix<float>(4, 2, {1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(channels[0].times, (std::vector<double>{0.1, 0.2, 0.45, 1.25}));
+  EXPECT_EQ(channels[2].frames.rows(), 3U);
+}
+
 TEST(FrameLog, AReadingThatDoesNotFitNamesItsSensor) {
   FrameLog log(three_sensors());
   BodyState wide = state_of(1, {1, 2}, {1});

@@ -9,6 +9,7 @@
 #include "bodies/support/fake_hand.h"
 #include "hardware/emulation/dynamixel_servos.h"
 #include "hardware/support/emulated_device.h"
+#include "somato/bodies/explore_by.h"
 
 namespace somato::devices {
 namespace {
@@ -90,6 +91,83 @@ TEST(DeviceBody, MovesItsServosAtTheirSpeedAndReadsThem) {
   const Matrix<float>& joints = (*body)->state().readings[0];
   EXPECT_NEAR(joints(0, 0), 30.0F, 0.1F);  // a step is 0.09 deg
   EXPECT_NEAR(joints(0, 1), 90.0F, 0.1F);
+}
+
+// A skin of 1 kHz beside servos that are driven at 100 Hz.
+constexpr const char* kFastSkin = R"(name = "fast skin"
+explore = "holding"
+period = 0.01
+[servos]
+bus = "ssc32"
+port = "servos"
+[servo.finger]
+channel = 0
+zero = 1000
+scale = 10
+least = 0
+most = 60
+fastest = 60
+[frames]
+port = "sensors"
+baud = 1000000
+elements = 2
+rate = 1000
+keep = "every"
+[sensor.joint]
+unit = "deg"
+from = "driver"
+servos = ["finger"]
+[sensor.touch]
+from = "frames"
+first = 1
+gain = 2.0
+)";
+
+TEST(DeviceBody, KeepsEveryFrameOfASkinWithItsTime) {
+  auto hand = std::make_unique<FakeHand>("fast skin");
+  hand->add_servo({"finger", "deg", 0.0, 60.0, 600.0}, 0.0);
+  ChannelDescription touch;
+  touch.name = "touch";
+  touch.element_names = {"a", "b"};
+  hand->add_sensor(touch, [](const auto&) { return std::vector<float>{3.0F, 4.0F}; });
+  EmulatedDevice device(*parse_device_file(kFastSkin, "d.toml"), std::move(hand));
+  const auto body = DeviceBody::start(device.file, device.lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  ASSERT_TRUE((*body)->step(0.05));  // Moves towards the grasp, and is not recorded.
+  const auto held = explore_by_holding(**body, 0.25, 0.01);
+  ASSERT_TRUE(held) << to_string(held.error());
+  EXPECT_TRUE(validate(Recording{{*held}}));
+  EXPECT_EQ(held->channels[0].frames.rows(), 20U);
+  const Channel& skin = held->channels[1];
+  ASSERT_NEAR(static_cast<double>(skin.frames.rows()), 200.0, 1.0);
+  EXPECT_EQ(skin.frames, Matrix<float>(skin.frames.rows(), 1, 3.0F));
+  EXPECT_NEAR(skin.times.front(), 0.051, 0.0011);
+  for (std::size_t i = 1; i < skin.times.size(); ++i) {
+    EXPECT_NEAR(skin.times[i] - skin.times[i - 1], 0.001, 1e-5) << i;
+  }
+}
+
+TEST(DeviceBody, DiscardsTheFramesOfAPause) {
+  auto hand = std::make_unique<FakeHand>("fast skin");
+  hand->add_servo({"finger", "deg", 0.0, 60.0, 600.0}, 0.0);
+  ChannelDescription touch;
+  touch.name = "touch";
+  touch.element_names = {"a", "b"};
+  hand->add_sensor(touch, [](const auto&) { return std::vector<float>{3.0F, 4.0F}; });
+  EmulatedDevice device(*parse_device_file(kFastSkin, "d.toml"), std::move(hand));
+  const auto body = DeviceBody::start(device.file, device.lines);
+  ASSERT_TRUE(body) << to_string(body.error());
+  ASSERT_TRUE((*body)->step(0.05));
+  (*body)->expect_pause();
+  device.lines.wait(device.lines.now() + 2.0);
+  ASSERT_TRUE((*body)->step(0.05));
+  const std::vector<double>& times = (*body)->state().times[1];
+  ASSERT_NEAR(static_cast<double>(times.size()), 50.0, 1.0);
+  EXPECT_GT(times.front(), 0.05);
+  EXPECT_LE(times.back(), 0.1 + 1e-9);
+  ASSERT_TRUE((*body)->begin());
+  EXPECT_EQ((*body)->state().readings[1], Matrix<float>(1, 1, 3.0F));
+  EXPECT_TRUE((*body)->state().times.empty());
 }
 
 TEST(DeviceBody, RefusesTargetsOutsideOfItsLimits) {

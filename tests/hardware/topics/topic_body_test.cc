@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <thread>
@@ -28,21 +30,21 @@ struct TopicBodyThread : ::testing::Test {
     client = std::move(*TopicClient::start(server.address()));
   }
 
-  Result<std::unique_ptr<TopicBody>> start(double patience) {
+  Result<std::unique_ptr<TopicBody>> start(double patience, KeptFrames keep = KeptFrames::kLatest) {
     return TopicBody::start(
         "robot", *client,
-        {{"touch", "N", "/touch", {"value"}, {}}, {"force", "", "/force", {"value"}, {}}},
-        patience);
+        {{"touch", "N", "/touch", {"value"}, {}}, {"force", "", "/force", {"value"}, {}}}, patience,
+        keep);
   }
 
   // The body, after a message of each topic.
-  std::unique_ptr<TopicBody> started() {
+  std::unique_ptr<TopicBody> started(KeptFrames keep = KeptFrames::kLatest) {
     std::thread sender([&] {
       while (server.received().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
       server.send_number(1, 0, 5.0F);
       server.send_number(0, 0, 6.0F);
     });
-    auto body = start(60.0);
+    auto body = start(60.0, keep);
     sender.join();
     EXPECT_TRUE(body) << to_string(body.error());
     if (!body) return nullptr;
@@ -79,6 +81,51 @@ TEST_F(TopicBodyThread, EveryMessageOfTheFirstTopicIsAFrameWithItsTime) {
   EXPECT_EQ(body->times().gaps, 1U);
   EXPECT_NEAR(body->times().longest, 0.1, 1e-9);
   EXPECT_NEAR(body->times().usual, 0.01, 1e-9);
+}
+
+TEST_F(TopicBodyThread, EveryMessageOfEachTopicIsKeptOnRequestWithItsTime) {
+  const auto body = started(KeptFrames::kEvery);
+  ASSERT_TRUE(body);
+  server.send_number(1, 995 * kMillisecond, 6.0F);  // before the first frame
+  server.send_number(0, 1000 * kMillisecond, 1.0F);
+  for (std::uint64_t i = 1; i <= 9; ++i) {
+    server.send_number(1, (1000 + i) * kMillisecond, static_cast<float>(i));
+  }
+  server.send_number(0, 1010 * kMillisecond, 2.0F);
+  server.send_number(0, 1020 * kMillisecond, 3.0F);
+  const std::vector<std::size_t> forces{0, 9, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto stepped = body->step(0.01);
+    ASSERT_TRUE(stepped) << to_string(stepped.error());
+    const BodyState& state = body->state();
+    EXPECT_EQ(state.readings[0], Matrix<float>(1, 1, static_cast<float>(i + 1)));
+    EXPECT_NEAR(state.times[0].at(0), 0.01 * static_cast<double>(i), 1e-12);
+    ASSERT_EQ(state.readings[1].rows(), forces[i]);
+    ASSERT_EQ(state.times[1].size(), forces[i]);
+    for (std::size_t k = 0; k < forces[i]; ++k) {
+      EXPECT_EQ(state.readings[1](k, 0), static_cast<float>(k + 1));
+      EXPECT_NEAR(state.times[1][k], 0.001 * static_cast<double>(k + 1), 1e-12);
+    }
+  }
+  server.send_number(1, 1031 * kMillisecond, 1.0F);
+  server.send_number(1, 1030 * kMillisecond, 1.0F);
+  const auto stepped = body->step(0.01);
+  ASSERT_FALSE(stepped);
+  EXPECT_EQ(stepped.error().where, "/force");
+  EXPECT_EQ(stepped.error().what, "the clock of the server went back by 0.001 s");
+}
+
+TEST_F(TopicBodyThread, ANumberThatAMessageLacksIsMissingAndAnInfiniteOneAnError) {
+  const auto body = started();
+  ASSERT_TRUE(body);
+  server.send_number(0, 1000 * kMillisecond, std::numeric_limits<float>::quiet_NaN());
+  server.send_number(0, 1010 * kMillisecond, std::numeric_limits<float>::infinity());
+  ASSERT_TRUE(body->step(0.01));
+  EXPECT_TRUE(std::isnan(body->state().readings[0](0, 0)));
+  const auto stepped = body->step(0.01);
+  ASSERT_FALSE(stepped);
+  EXPECT_EQ(stepped.error().what, "element 1 of a message is infinite");
+  EXPECT_EQ(stepped.error().where, "/touch");
 }
 
 // A message of joints with these names, each at the position of its letter in the alphabet.

@@ -140,7 +140,8 @@ class TopicServer {
   static inline const lws_protocols kProtocols[] = {
       {"foxglove.sdk.v1", called, 0, 65536, 0, nullptr, 0}, {}};
 
-  mutable std::mutex mutex_;
+  // libwebsockets 4.3 calls back for a change of what it polls, within lws_callback_on_writable().
+  mutable std::recursive_mutex mutex_;
   std::vector<std::string> greetings_;
   std::deque<Message> unsent_;
   std::vector<std::string> received_;

@@ -53,6 +53,15 @@ TEST_F(Growing, TakesAsManyElementsAsCome) {
   EXPECT_EQ(so_far().channels[0].frames, Matrix<float>(1, 3, 7.0F));
 }
 
+TEST_F(Growing, FramesWithTimesOfTheirOwnKeepThem) {
+  BodyStep step = recorded(1.0, {Matrix<float>(1, 1, 9.0F), {}, Matrix<float>(3, 4, 5.0F)});
+  step.state.times = {{}, {}, {0.25, 0.5, 0.75}};
+  growing_.append(step);
+  EXPECT_EQ(so_far().channels[0].times, std::vector<double>{1.0});
+  EXPECT_EQ(so_far().channels[2].times, (std::vector<double>{0.25, 0.5, 0.75}));
+  EXPECT_EQ(timeline().frames(2, 0), 3U);
+}
+
 TEST_F(Growing, HasAMomentForEachRecordedStep) {
   growing_.append({{0.25, {}, {Matrix<float>(1, 1, 9.0F), {}, {}}}, {}, Readings::kLeftOut});
   growing_.append(recorded(0.5, {Matrix<float>(1, 1, 1.0F), {}, {}}));
