@@ -1,6 +1,5 @@
 #include "study/system_fit.h"
 
-#include "somato/recording/layout.h"
 #include "systems/graph/layout_fit.h"
 
 namespace somato::program {
@@ -11,9 +10,9 @@ struct Origin {
   std::string others;
 };
 
-Result<void> check_channels(const System& system, const Recording& recording, const Origin& origin,
-                            const std::string& place) {
-  const auto fits = check_layout(system, layout_of(recording));
+Result<void> check_channels(const System& system, const RecordingLayout& layout,
+                            const Origin& origin, const std::string& place) {
+  const auto fits = check_layout(system, layout);
   if (fits) return {};
   return fail(ErrorKind::kData,
               "the " + origin.name + " does not fit the system: " + fits.error().what, place,
@@ -23,12 +22,17 @@ Result<void> check_channels(const System& system, const Recording& recording, co
 }  // namespace
 
 Result<void> check_fit(const System& system, const Recording& recording, const std::string& place) {
-  return check_channels(system, recording, {"recording", "recordings"}, place);
+  return check_fit(system, layout_of(recording), place);
+}
+
+Result<void> check_fit(const System& system, const RecordingLayout& layout,
+                       const std::string& place) {
+  return check_channels(system, layout, {"recording", "recordings"}, place);
 }
 
 Result<void> check_body_fit(const System& system, const Exploration& begun,
                             const std::string& place) {
-  return check_channels(system, {{begun}}, {"body", "a body"}, place);
+  return check_channels(system, layout_of({{begun}}), {"body", "a body"}, place);
 }
 
 }  // namespace somato::program

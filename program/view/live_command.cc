@@ -90,9 +90,8 @@ Result<void> save_taught(const Arguments& arguments, const ReadingSession& readi
 Result<ViewSource> read_live_source(const Arguments& arguments) {
   SOMATO_TRY(auto system, read_model(arguments.text("model")));
   SOMATO_TRY(auto source, live_source(arguments));
-  if (!source.explorer) {
-    SOMATO_TRY_VOID(
-        check_fit(system.trained->system, source.recording, arguments.text("recording")));
+  if (source.layout) {
+    SOMATO_TRY_VOID(check_fit(system.trained->system, *source.layout, arguments.text("recording")));
   }
   source.systems.push_back(std::move(system));
   source.system = 0;

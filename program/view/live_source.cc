@@ -12,6 +12,8 @@
 #include "explore/exploring_body.h"
 #include "explore/topics.h"
 #include "recordings/study_data.h"
+#include "somato/recording/recording_file.h"
+#include "views/replay/recorded_explorer.h"
 
 namespace somato::program {
 namespace {
@@ -79,11 +81,25 @@ Result<ViewSource> body_source(const Arguments& arguments) {
   return source;
 }
 
+// Without a view only the moment that is read is in memory.
+Result<ViewSource> streamed_source(const Arguments& arguments, const std::string& path) {
+  auto explorer = live::RecordedExplorer::open(path, arguments.has("teach"));
+  if (!explorer) return fail(with_place(std::move(explorer.error()), path));
+  ViewSource source;
+  source.layout = (*explorer)->layout();
+  for (std::size_t i = 0; i < (*explorer)->explorations(); ++i) source.plan.push_back({0, i});
+  source.explorer = std::move(*explorer);
+  source.name = std::filesystem::path(path).filename().string();
+  return source;
+}
+
 Result<ViewSource> replayed_source(const Arguments& arguments) {
   const std::string path = arguments.text("recording");
+  if (!arguments.has("view") && is_mcap_file(path)) return streamed_source(arguments, path);
   ViewSource source;
   SOMATO_TRY(source.recording, read_study_data(RecordingFormat::kAutomatic, path));
   SOMATO_TRY(auto objects, read_objects(arguments));
+  source.layout = layout_of(source.recording);
   source.name = std::filesystem::path(path).filename().string();
   source.scenes = recorded_scenes(std::move(objects.objects));
   return source;

@@ -36,6 +36,8 @@ struct RecordingLayout {
   std::size_t explorations = 0;
   std::size_t frames = 0;  ///< Total number in all explorations, of the channel with most frames.
   std::vector<FrameRates> rates = {};  ///< One for each channel; or empty.
+
+  bool operator==(const RecordingLayout&) const = default;
 };
 
 /// The layout of a recording, which must be valid.

@@ -18,7 +18,7 @@
 #include "recordings/explorations/checked_explorations.h"
 #include "recordings/explorations/element_order.h"
 #include "recordings/explorations/nanoseconds.h"
-#include "recordings/explorations/spooled_frames.h"
+#include "recordings/file/spooled_frames.h"
 #include "recordings/tables/name_pattern.h"
 #include "somato/core/parameter.h"
 

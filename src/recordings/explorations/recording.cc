@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "recordings/explorations/recording_outline.h"
 #include "somato/core/parameter.h"
 
 namespace somato {
@@ -189,9 +190,7 @@ double Channel::frame_rate() const {
   std::vector<double> steps;
   steps.reserve(times.size() - 1);
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle > 0.0 ? 1.0 / *middle : 0.0;
+  return detail::rate_of_steps(std::move(steps));
 }
 
 Result<const Channel*> find_channel(const Exploration& exploration, std::string_view name) {

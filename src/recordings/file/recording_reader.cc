@@ -8,8 +8,8 @@
 #include "base/core/memory.h"
 #include "recordings/explorations/growing_channel.h"
 #include "recordings/explorations/nanoseconds.h"
-#include "recordings/explorations/spooled_frames.h"
 #include "recordings/file/recording_interpreter.h"
+#include "recordings/file/spooled_frames.h"
 #include "recordings/mcap/mcap_reader.h"
 
 namespace somato {

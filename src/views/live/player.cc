@@ -188,7 +188,7 @@ void Player::begin_exploration(std::size_t index, std::shared_ptr<const Timeline
 std::optional<Pace::Clock::time_point> Player::due() const {
   if (!pace_.playing && moments_left_ == 0) return {};
   if (!replay_.is_over()) return pace_.due(replay_.pause());
-  if (coming_) return pace_.due(growing_->seconds_to(*coming_));
+  if (coming_) return pace_.due(std::min(growing_->seconds_to(*coming_), kLongestPause));
   if (growing_ || replay_.played() == nullptr) return {};
   if (plan_.demonstrates()) return pace_.due(pause_after_result() * pace_.speed);
   return pace_.due(kBetweenExplorations);

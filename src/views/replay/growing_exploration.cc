@@ -38,6 +38,7 @@ GrowingExploration::GrowingExploration(std::size_t index, const BodyDescription&
     // A channel that declares nothing, such as a height, has one number until more is known.
     if (channel.frames.columns() == 0) channel.frames = Matrix<float>(0, 1);
     exploration_.channels.push_back(std::move(channel));
+    has_times_.push_back(sensor.rate == 0.0 && sensor.times_known);
   }
   last_.state.readings.resize(body.sensors.size());
 }
@@ -70,7 +71,7 @@ void GrowingExploration::append_frames(const BodyState& state) {
     Channel& channel = exploration_.channels[i];
     if (frames_[i] == 0) channel.frames = Matrix<float>(0, taken.columns());
     append_readings(channel, taken);
-    if (channel.rate == 0.0) append_times(channel, {state, i, 0.0}, state.time);
+    if (has_times_[i]) append_times(channel, {state, i, 0.0}, state.time);
     frames_[i] += taken.rows();
   }
 }

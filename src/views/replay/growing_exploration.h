@@ -55,6 +55,7 @@ class GrowingExploration {
   std::shared_ptr<Timeline> timeline_;
   std::shared_ptr<KeptScene> scene_;
   std::vector<std::size_t> frames_;  // of each channel
+  std::vector<bool> has_times_;      // likewise
   std::optional<double> begun_;      // by the body's clock
   BodyStep last_;
 };

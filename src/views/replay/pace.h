@@ -4,6 +4,9 @@
 
 namespace somato::live {
 
+/// The longest pause between two moments in s: nothing was recorded in a longer one.
+inline constexpr double kLongestPause = 1.0;
+
 /// Whether the display is playing, how fast, and when its next moment is due.
 class Pace {
  public:

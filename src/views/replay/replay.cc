@@ -10,7 +10,6 @@
 namespace somato::live {
 namespace {
 
-constexpr double kLongestPause = 1.0;  // s, between two moments: nothing was recorded there
 constexpr auto kMostFollowed = std::chrono::milliseconds(250);  // that a command waits for
 
 // The processor time of this thread: a busy machine takes none of it.

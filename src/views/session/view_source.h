@@ -14,6 +14,7 @@
 #include "somato/bodies/scene.h"
 #include "somato/graph/system_description.h"
 #include "somato/graph/system_model.h"
+#include "somato/recording/layout.h"
 #include "somato/recording/recording.h"
 #include "views/session/reading_sink.h"
 
@@ -51,8 +52,9 @@ struct ViewSource {
   std::size_t first = 0;
   /// The name of the recording of each of these explorations, if there are several.
   std::vector<std::string> origins = {};
-  std::unique_ptr<Explorer> explorer = {};  ///< With the body; or nullptr.
-  std::size_t thing = 0;                    ///< That the body explores first.
+  std::optional<RecordingLayout> layout = {};  ///< That of a recording which is read for a system.
+  std::unique_ptr<Explorer> explorer = {};     ///< With the body; or nullptr.
+  std::size_t thing = 0;                       ///< That the body explores first.
   /// The explorations of the body, one after the other, each object placed at random; it then
   /// explores nothing else. Empty: one thing, and what commands say.
   std::vector<PlannedExploration> plan = {};

@@ -118,6 +118,14 @@ TEST_F(Live, FinalReadingsAreThoseOfApply) {
   EXPECT_EQ(line, lines.size());
 }
 
+// A file is read moment by moment, a folder as a whole.
+TEST_F(Live, AFolderAndItsFileGiveTheSameLines) {
+  learn();
+  output_of({"import", "icub_grasp", kTrials, "-o", "grasps.mcap"});
+  EXPECT_EQ(output_of(live({"--recording", "grasps.mcap"})),
+            output_of(live({"--recording", kTrials})));
+}
+
 TEST_F(Live, ABodyAndItsRecordingGiveTheSameLines) {
   learn_by_hand();
   const std::string body =

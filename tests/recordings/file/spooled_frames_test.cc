@@ -1,4 +1,4 @@
-#include "recordings/explorations/spooled_frames.h"
+#include "recordings/file/spooled_frames.h"
 
 #include <gtest/gtest.h>
 
