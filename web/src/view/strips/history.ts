@@ -52,13 +52,17 @@ export class History {
     return this.moments[place]?.channels[channel] ?? null;
   }
 
-  /** Adds the history from the program; false if it belongs to another exploration. */
+  /**
+   * Adds the history from the program; false if it belongs to another exploration. It may have been on
+   * its way while frames were missed: then it is still lacking.
+   */
   take(strips: Strips): boolean {
     if (strips.exploration !== this.exploration || strips.frames !== this.frames) return false;
     const seen = this.moments;
     this.moments = momentsOf(strips);
-    this.isLacking = false;
     this.isWhole = strips.frames !== null;
+    const later = seen.find(({ frame }) => frame > (this.moments.at(-1)?.frame ?? frame));
+    this.isLacking = !this.isWhole && later !== undefined && this.misses(later);
     this.version += 1;
     if (!this.isWhole) seen.forEach((moment) => this.insert(moment));
     return true;
