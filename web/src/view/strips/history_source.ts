@@ -29,20 +29,26 @@ export class HistorySource {
     else void this.ask();
   }
 
-  /** A reply for another exploration is ignored: its frame is on its way. */
+  /**
+   * A reply for another exploration is ignored: its frame is on its way. One that lacks frames which
+   * arrived before it is requested again, though no frame may follow.
+   */
   private async ask(): Promise<void> {
     this.requesting = true;
     const begin = performance.now();
     this.requested = { beginnings: this.history.beginnings, next: begin + kPause };
+    let isTaken = false;
     try {
       const strips = await this.server.strips();
-      if (strips !== null && this.history.take(strips)) this.taken();
+      isTaken = strips !== null && this.history.take(strips);
+      if (isTaken) this.taken();
     } catch {
       this.history.doWithout();
     } finally {
       const end = performance.now();
       this.requested.next = Math.max(this.requested.next, end + kRest * (end - begin));
       this.requesting = false;
+      if (isTaken) this.look();
     }
   }
 }
