@@ -128,8 +128,8 @@ TEST(DeviceBody, KeepsEveryFrameOfASkinWithItsTime) {
   hand->add_servo({"finger", "deg", 0.0, 60.0, 600.0}, 0.0);
   ChannelDescription touch;
   touch.name = "touch";
-  touch.element_names = {"a", "b"};
-  hand->add_sensor(touch, [](const auto&) { return std::vector<float>{3.0F, 4.0F}; });
+  touch.element_names = {"a"};
+  hand->add_sensor(touch, [](const auto&) { return std::vector<float>{3.0F}; });
   EmulatedDevice device(*parse_device_file(kFastSkin, "d.toml"), std::move(hand));
   const auto body = DeviceBody::start(device.file, device.lines);
   ASSERT_TRUE(body) << to_string(body.error());
@@ -152,8 +152,8 @@ TEST(DeviceBody, DiscardsTheFramesOfAPause) {
   hand->add_servo({"finger", "deg", 0.0, 60.0, 600.0}, 0.0);
   ChannelDescription touch;
   touch.name = "touch";
-  touch.element_names = {"a", "b"};
-  hand->add_sensor(touch, [](const auto&) { return std::vector<float>{3.0F, 4.0F}; });
+  touch.element_names = {"a"};
+  hand->add_sensor(touch, [](const auto&) { return std::vector<float>{3.0F}; });
   EmulatedDevice device(*parse_device_file(kFastSkin, "d.toml"), std::move(hand));
   const auto body = DeviceBody::start(device.file, device.lines);
   ASSERT_TRUE(body) << to_string(body.error());
