@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/support/eventually.h"
 #include "base/support/temporary_folder.h"
 #include "bodies/body/frame_log.h"
 #include "somato/recording/recording_file.h"
@@ -38,14 +39,14 @@ class ExplorationDraftTest : public ::testing::Test {
  protected:
   // The exploration that can be recovered, once it has so many frames of touch.
   Exploration recovered(std::size_t frames) const {
-    for (int i = 0; i < 6000; ++i) {
-      if (!recover_recording(folder_.file("a.partial"), folder_.file("b"))) continue;
-      Recording read = read_recording(folder_.file("b")).value();
-      const bool has_all =
-          !read.explorations.empty() && read.explorations[0].channels[0].frames.rows() >= frames;
-      if (has_all) return std::move(read.explorations[0]);
-    }
-    ADD_FAILURE() << "nothing was saved";
+    Recording read;
+    const bool has_all = testing::eventually([&] {
+      if (!recover_recording(folder_.file("a.partial"), folder_.file("b"))) return false;
+      read = read_recording(folder_.file("b")).value();
+      return !read.explorations.empty() && read.explorations[0].channels[0].frames.rows() >= frames;
+    });
+    if (has_all) return std::move(read.explorations[0]);
+    ADD_FAILURE() << "not all frames were saved";
     return {};
   }
 

@@ -15,7 +15,7 @@ using Frame = std::vector<float>;
 
 // Two fingers of 90 deg, 200 and 100 deg/s, a wrist and a lift. At a share of 0.5 they go 10 and
 // 5 deg an iteration. The joints are the servos', which an object may stop.
-class ExploreByClosing : public testing::Test {
+class ExploreByClosing : public ::testing::Test {
  protected:
   void make(double first_stop, double second_stop) {
     hand_.emplace("hand");

@@ -13,7 +13,7 @@ using Frame = std::vector<float>;
 // Height, wrist and one finger, all of which it also reports. At wrist angles above 0 the finger
 // meets walls at 10 and -20 deg (2 N a deg), elsewhere nothing. Closing takes 8 + 14 iterations
 // there, 20 + 27 elsewhere, and 3 more.
-class ExploreByGrasping : public testing::Test {
+class ExploreByGrasping : public ::testing::Test {
  protected:
   ExploreByGrasping() : hand_("hand") {
     hand_.add_servo({"height", "mm", 100, 200, 50}, 180);

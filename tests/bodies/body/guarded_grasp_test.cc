@@ -17,7 +17,7 @@ using Positions = std::vector<double>;
 using Frame = std::vector<float>;
 
 // One finger with two taxels on its proximal segment (servo 0) and one on its distal one (servo 1).
-class OneFinger : public testing::Test {
+class OneFinger : public ::testing::Test {
  protected:
   void make(FakeHand::Feel feel, double fastest = 300.0) {
     hand_.emplace("hand");

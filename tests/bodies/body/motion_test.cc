@@ -8,7 +8,7 @@ namespace somato {
 namespace {
 
 // A lift of 10 mm/s and a wrist of 60 deg/s.
-class MoveTo : public testing::Test {
+class MoveTo : public ::testing::Test {
  protected:
   MoveTo() : body_("arm") {
     body_.add_servo({"height", "mm", 0, 100, 10}, 0);

@@ -13,7 +13,7 @@ namespace {
 
 using Size = std::array<double, 3>;
 
-class MeshFile : public testing::Test {
+class MeshFile : public ::testing::Test {
  protected:
   Result<ObjectTable> read(const std::string& file, const std::string& more = "") const {
     const std::string table = folder_.with(

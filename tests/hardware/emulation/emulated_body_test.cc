@@ -227,6 +227,20 @@ TEST(EmulatedBody, ASkinHolds) {
     EXPECT_GT(frames(row, 7), frames(row - 1, 7));
 }
 
+// More values than those of the sensor would stand in another sensor, or behind the frame.
+TEST(EmulatedBody, RefusesABodyWithOtherElements) {
+  const devices::DeviceFile file = *devices::own_device_file("anyskin");
+  for (const std::size_t elements : {14U, 16U}) {
+    auto skin = std::make_unique<FakeHand>("skin");
+    ChannelDescription field;
+    field.name = "skin";
+    skin->add_sensor(field, [elements](const std::vector<double>&) {
+      return std::vector<float>(elements, 40.0F);
+    });
+    EXPECT_THROW(EmulatedBody(file, std::move(skin)), InvalidArgument) << elements;
+  }
+}
+
 // A servo whose gear is stuck stays; the driver does not know.
 TEST(EmulatedBody, AStuckJointStays) {
   EmulatedDevice emulated(

@@ -27,6 +27,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/support/eventually.h"
+
 namespace somato {
 namespace {
 
@@ -201,8 +203,7 @@ class Motion : public EmulationTest {
   }
 
   bool moved() const {
-    for (int i = 0; i < 3000 && port_.bytes() == 0; ++i) ::usleep(10000);
-    return port_.bytes() > 0;
+    return testing::eventually([&] { return port_.bytes() > 0; });
   }
 
   CountingPort port_;

@@ -2,13 +2,13 @@
 #include "somato/recording/recording_file.h"
 #include "views/support/http_client.h"
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 #include <vector>
+
+#include "base/support/eventually.h"
 
 namespace somato {
 namespace {
@@ -305,11 +305,9 @@ void explore_once(const std::string& said) {
       port, testing::post_request(port, "/api/command" + token, R"({"command":"play"})"));
   EXPECT_EQ(testing::status_of(played), 200) << played;
   const std::string state = testing::get_request(port, "/api/state" + token);
-  for (int i = 0; i < 6000; ++i) {
-    if (testing::ask(port, state).find(R"({"index":0)") != std::string::npos) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  ADD_FAILURE() << "the body does not explore";
+  EXPECT_TRUE(testing::eventually([&] {
+    return testing::ask(port, state).find(R"({"index":0)") != std::string::npos;
+  })) << "the body does not explore";
 }
 
 TEST_F(Live, TheViewShowsWhatIsWritten) {

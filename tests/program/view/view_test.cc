@@ -3,12 +3,12 @@
 #include "views/support/http_client.h"
 
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <thread>
 #include <vector>
+
+#include "base/support/eventually.h"
 
 namespace somato {
 namespace {
@@ -101,11 +101,9 @@ void explore_while_viewed(const std::string& out) {
   expect_done(out, R"({"command":"speed","speed":100})");
   expect_done(out, R"({"command":"explore"})");
   const std::string state = testing::get_request(port, "/api/state?token=" + token_in(out));
-  for (int i = 0; i < 3000; ++i) {
-    if (testing::ask(port, state).find(R"({"index":0)") != std::string::npos) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  ADD_FAILURE() << "the body does not explore";
+  EXPECT_TRUE(testing::eventually([&] {
+    return testing::ask(port, state).find(R"({"index":0)") != std::string::npos;
+  })) << "the body does not explore";
 }
 
 // The same writer as that of `somato explore`, and the same exploration.
@@ -163,9 +161,7 @@ TEST_F(View, OpensABrowserWithoutTheTokenInItsArguments) {
   std::string address;
   world.before_interrupt = [&](const std::string& said) {
     address = said.substr(5, said.find('\n') - 5);
-    for (int i = 0; i < 3000 && !std::filesystem::exists(path("opened.html")); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
+    testing::eventually([&] { return std::filesystem::exists(path("opened.html")); });
   };
   const ProgramRun done = run({"view", "--demo", "--body", "hardness", "--open"}, world);
   if (has_no_pages(done)) {

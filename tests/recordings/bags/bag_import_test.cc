@@ -37,7 +37,7 @@ Imported imported(const std::string& path, const BagImport& description) {
 }
 
 // Ten frames of /x, one each 100 ms with its number as value; two events name objects.
-class BagImportTest : public testing::Test {
+class BagImportTest : public ::testing::Test {
  protected:
   BagImportTest() {
     MadeBag made(path_);
@@ -211,7 +211,7 @@ TEST_F(BagImportTest, FramesOfAnotherLengthAreRefused) {
 
 // Messages of /joints, each of the joints with these names; the position of a joint is that of its
 // letter in the alphabet plus the number of the message / 100.
-class NamedJointsTest : public testing::Test {
+class NamedJointsTest : public ::testing::Test {
  protected:
   struct Sent {
     std::int64_t time;  // ms

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace somato {
@@ -28,11 +29,13 @@ TEST(BagMetadata, FilesAndNumbersOfMessagesAreRead) {
     EXPECT_EQ(metadata.compression, "FILE");
     EXPECT_EQ(metadata.messages,
               (std::map<std::string, std::uint64_t>{{"/joint_states", 40}, {"/touch", 30}}));
+    EXPECT_EQ(metadata.messages_of_files, (std::map<std::string, std::uint64_t>{{"b_0.mcap", 50}}));
+    EXPECT_EQ(metadata.all_messages, 70U);
   }
 }
 
 // Programs that sort the keys of YAML write the number of messages before the name.
-TEST(BagMetadata, TheKeysOfATopicHaveAnyOrder) {
+TEST(BagMetadata, KeysHaveAnyOrder) {
   const BagMetadata metadata = parse_bag_metadata(
       "rosbag2_bagfile_information:\n  files:\n  - message_count: 20\n    path: b_0.mcap\n"
       "  message_count: 70\n  relative_file_paths:\n  - b_0.mcap\n  topics_with_message_count:\n"
@@ -42,19 +45,42 @@ TEST(BagMetadata, TheKeysOfATopicHaveAnyOrder) {
   EXPECT_EQ(metadata.files, (std::vector<std::string>{"b_0.mcap"}));
   EXPECT_EQ(metadata.messages,
             (std::map<std::string, std::uint64_t>{{"/joint_states", 40}, {"/touch", 30}}));
+  EXPECT_EQ(metadata.messages_of_files, (std::map<std::string, std::uint64_t>{{"b_0.mcap", 20}}));
+  EXPECT_EQ(metadata.all_messages, 70U);
 }
 
-TEST(BagMetadata, DifferencesAreNamed) {
+std::vector<std::string> differences_from(const BagMetadata& listed,
+                                          std::map<std::string, std::uint64_t> topics,
+                                          std::map<std::string, std::uint64_t> files = {}) {
+  return differences(listed, {std::move(topics), std::move(files)});
+}
+
+TEST(BagMetadata, DifferencesOfFilesAndOfTheSumAreNamed) {
+  using Sentences = std::vector<std::string>;
+  BagMetadata listed;
+  listed.messages_of_files = {{"bag/b_0.mcap", 50}, {"bag/b_1.mcap", 20}};
+  listed.all_messages = 70;
+  EXPECT_EQ(differences_from(listed, {{"/touch", 70}}, {{"b_0.mcap", 50}, {"b_1.mcap", 20}}),
+            Sentences());
+  EXPECT_EQ(differences_from(listed, {{"/touch", 70}}, {{"b_0.mcap", 51}, {"b_1.mcap", 19}}),
+            (Sentences{"metadata.yaml lists 50 messages in b_0.mcap, which holds 51",
+                       "metadata.yaml lists 20 messages in b_1.mcap, which holds 19"}));
+  listed.messages_of_files.clear();
+  EXPECT_EQ(differences_from(listed, {{"/touch", 69}}),
+            Sentences{"metadata.yaml lists 70 messages, the files hold 69"});
+}
+
+TEST(BagMetadata, DifferencesOfTopicsAreNamed) {
   const BagMetadata metadata = parse_bag_metadata(kText);
-  EXPECT_TRUE(differences(metadata, {{"/joint_states", 40}, {"/touch", 30}}).empty());
-  EXPECT_EQ(differences(metadata, {{"/joint_states", 39}, {"/touch", 30}, {"/new", 2}}),
+  EXPECT_TRUE(differences_from(metadata, {{"/joint_states", 40}, {"/touch", 30}}).empty());
+  EXPECT_EQ(differences_from(metadata, {{"/joint_states", 39}, {"/touch", 30}, {"/new", 2}}),
             (std::vector<std::string>{
                 "metadata.yaml lists 40 messages of /joint_states, the files hold 39",
                 "the files hold 2 messages of /new, which metadata.yaml does not list"}));
   EXPECT_EQ(
-      differences(metadata, {{"/joint_states", 40}}),
+      differences_from(metadata, {{"/joint_states", 40}}),
       (std::vector<std::string>{"metadata.yaml lists 30 messages of /touch, the files hold 0"}));
-  EXPECT_TRUE(differences({}, {{"/touch", 30}}).empty());
+  EXPECT_TRUE(differences_from({}, {{"/touch", 30}}).empty());
 }
 
 TEST(BagMetadata, OtherTextListsNothing) {

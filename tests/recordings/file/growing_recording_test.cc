@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/support/eventually.h"
 #include "base/support/failing_file_system.h"
 #include "base/support/temporary_folder.h"
 #include "base/support/traced_file_system.h"
@@ -104,8 +105,10 @@ TEST_F(GrowingRecordingTest, HasTheExplorationInProgress) {
   draft(*file, 5);
   ASSERT_TRUE(file->name(1, {"object", "cup"}));
   Recording now;
-  for (int i = 0; i < 6000 && now.explorations.size() < 2; ++i) now = recovered();
-  ASSERT_EQ(now.explorations.size(), 2U);
+  ASSERT_TRUE(testing::eventually([&] {
+    now = recovered();
+    return now.explorations.size() == 2 && now.explorations[1].channels[0].frames.rows() == 5;
+  }));
   EXPECT_EQ(now.explorations[0], three_.explorations[0]);
   EXPECT_EQ(now.explorations[1].labels, (std::vector<Label>{{"object", "cup"}}));
   EXPECT_EQ(now.explorations[1].channels[0].frames.rows(), 5U);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <thread>
 
+#include "base/support/eventually.h"
 #include "base/support/failing_file_system.h"
 #include "base/support/temporary_folder.h"
 #include "somato/core/random.h"
@@ -197,8 +198,7 @@ TEST(RecordingWriterThread, WritesOutWhatIsOldWithoutACall) {
       RecordingWriter::create(path, packed_writer(Compression::kZstd, 1 << 20, 0.01)).value();
   ASSERT_TRUE(writer.begin_exploration(start_of_two()));
   ASSERT_TRUE(writer.frame(1, std::vector<float>(4, 0.0F), 0.0));
-  for (int i = 0; i < 6000 && saved_frames(path, folder.file("b")) == 0; ++i) ::usleep(10'000);
-  EXPECT_EQ(saved_frames(path, folder.file("b")), 1U);
+  EXPECT_TRUE(testing::eventually([&] { return saved_frames(path, folder.file("b")) == 1; }));
 }
 
 TEST(RecordingWriterThread, TakesFramesFromSeveralThreads) {

@@ -336,7 +336,7 @@ TEST(ProtobufMessages, OtherBytesAreRefusedAndNothingIsPrinted) {
   const ProtobufType type = compiled_protobuf("t.Hand");
   const std::string message =
       message_of("t.Hand", R"(timestamp { seconds: 1 nanos: 2 } taxels { x: 1 } object: "cup")");
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   const auto cut = cdr_of_protobuf(type, message.substr(0, message.size() - 1));
   ASSERT_FALSE(cut);
   EXPECT_EQ(to_string(cut.error()),
@@ -352,7 +352,7 @@ TEST(ProtobufMessages, OtherBytesAreRefusedAndNothingIsPrinted) {
     const auto reader = ChannelReader::compile(plain_type(type), {"grip"}).value();
     EXPECT_TRUE(!cdr || reader.read(*cdr, values));
   }
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(ProtobufMessages, BagsAreInspectedAndImported) {

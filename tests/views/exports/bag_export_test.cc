@@ -13,7 +13,7 @@
 namespace somato {
 namespace {
 
-class BagExportTest : public testing::Test {
+class BagExportTest : public ::testing::Test {
  protected:
   void write(const Recording& recording) const {
     auto to = BagExport::begin(folder_.file("out")).value();

@@ -11,7 +11,7 @@
 namespace somato {
 namespace {
 
-class CsvExportTest : public testing::Test {
+class CsvExportTest : public ::testing::Test {
  protected:
   void write(const Recording& recording) const {
     auto to = CsvExport::begin(folder_.file("out")).value();

@@ -46,7 +46,7 @@ Recording touched() {
   return recording;
 }
 
-class FoxgloveExportTest : public testing::Test {
+class FoxgloveExportTest : public ::testing::Test {
  protected:
   void write(const Recording& recording, const SceneFinder& scenes) const {
     auto to = FoxgloveExport::begin(folder_.file("out"), scenes).value();

@@ -2,13 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 
+#include "base/support/eventually.h"
 #include "base/support/json_schema.h"
 #include "views/http/event_hub.h"
 #include "views/live/view_session.h"
@@ -49,15 +47,6 @@ inline nlohmann::json strips_of(ViewSession& session) {
   if (!strips) return strips.error().what;
   EXPECT_TRUE(text_fits_schema(*strips, "view.json#/$defs/Answers/properties/strips"));
   return nlohmann::json::parse(*strips);
-}
-
-// Looks until it holds, for as long as a slow machine may take.
-inline bool eventually(const std::function<bool()>& holds) {
-  for (int i = 0; i < 6000; ++i) {
-    if (holds()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
 }
 
 inline bool command(ViewSession& session, const std::string& text) {

@@ -82,6 +82,9 @@ it("saves a picture and a film of the tab", async () => {
   expect(picture.length).toBeGreaterThan(10_000); // an empty picture has less
   await view.page.getByRole("button", { name: "Record film" }).click();
   await view.page.getByRole("button", { name: "Stop film" }).waitFor();
+  // A page at rest is not drawn, and a tab that is not drawn is not captured.
+  const redrawn = view.page.locator(".film-redrawn");
+  expect(await redrawn.evaluate((mark) => mark.getAnimations().map((one) => one.playState))).toEqual(["running"]);
   for (let frame = 1; frame <= 10; frame += 1) {
     view.server.show(0, frame * 5);
     await frameShown(view.page, frame * 5);
@@ -91,4 +94,5 @@ it("saves a picture and a film of the tab", async () => {
   expect(film.subarray(0, 4).toString("hex")).toBe("1a45dfa3"); // of every WebM file
   expect(film.length).toBeGreaterThan(1000);
   await view.page.getByRole("button", { name: "Record film" }).waitFor();
+  expect(await redrawn.count()).toBe(0);
 });

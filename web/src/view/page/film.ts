@@ -4,6 +4,7 @@ import { element } from "../../parts/dom";
 import { saveFile } from "../../parts/save";
 import type { Model } from "../session/model";
 
+const kPatience = 30_000; // ms until the browser has captured a picture
 const kTypes = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
 
 export class FilmButtons {
@@ -13,9 +14,13 @@ export class FilmButtons {
     "Save picture",
   ]);
   private recorder: MediaRecorder | null = null;
+  private readonly captured = new Set<MediaStream>();
+  // The browser captures the tab only when it is drawn, and a page at rest is not: this pixel changes invisibly.
+  private readonly redrawn = element("span", { class: "film-redrawn", "aria-hidden": "true" });
 
   constructor(private readonly model: Model) {
     this.root.append(this.picture, this.film);
+    this.redrawn.animate([{ opacity: 0 }, { opacity: 0.02 }], { duration: 100, iterations: Infinity });
     this.root.hidden = navigator.mediaDevices?.getDisplayMedia === undefined;
     this.film.addEventListener("click", () => void this.press());
     this.picture.addEventListener("click", () => void this.save());
@@ -36,7 +41,7 @@ export class FilmButtons {
     const parts: Blob[] = [];
     recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
     recorder.addEventListener("stop", () => {
-      end(stream);
+      this.end(stream);
       this.recorder = null;
       this.show();
       saveFile(`${this.stem()}.webm`, new Blob(parts, { type: "video/webm" }));
@@ -54,7 +59,7 @@ export class FilmButtons {
     } catch {
       this.model.problem.set("The browser did not capture a picture of this tab");
     } finally {
-      end(stream);
+      this.end(stream);
     }
   }
 
@@ -62,11 +67,20 @@ export class FilmButtons {
   private async capture(): Promise<MediaStream | null> {
     const options = { video: { frameRate: 30 }, audio: false, preferCurrentTab: true };
     try {
-      return await navigator.mediaDevices.getDisplayMedia(options);
+      const stream = await navigator.mediaDevices.getDisplayMedia(options);
+      this.captured.add(stream);
+      this.root.append(this.redrawn);
+      return stream;
     } catch {
       this.model.problem.set("The browser did not permit this tab to be captured");
       return null;
     }
+  }
+
+  private end(stream: MediaStream): void {
+    for (const track of stream.getTracks()) track.stop();
+    this.captured.delete(stream);
+    if (this.captured.size === 0) this.redrawn.remove();
   }
 
   private stem(): string {
@@ -74,19 +88,23 @@ export class FilmButtons {
   }
 }
 
-function end(stream: MediaStream): void {
-  for (const track of stream.getTracks()) track.stop();
-}
-
 async function firstPicture(stream: MediaStream): Promise<Blob> {
   const video = element("video", { muted: true });
   video.srcObject = stream;
-  await video.play();
+  await within(kPatience, video.play());
   const canvas = element("canvas");
   canvas.width = video.videoWidth;
   canvas.height = video.videoHeight;
   canvas.getContext("2d")?.drawImage(video, 0, 0);
   return new Promise((resolve, reject) => {
     canvas.toBlob((blob) => (blob === null ? reject(new Error("no picture")) : resolve(blob)), "image/png");
+  });
+}
+
+/** Rejects if `promised` takes more than `patience` ms. */
+function within<T>(patience: number, promised: Promise<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    const late = setTimeout(() => reject(new Error(`not within ${patience} ms`)), patience);
+    promised.then(resolve, reject).finally(() => clearTimeout(late));
   });
 }
