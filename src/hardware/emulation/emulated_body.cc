@@ -125,6 +125,8 @@ void EmulatedBody::sense() {
     }
     if (sensor.from != devices::SensorOrigin::kFrames) continue;
     const std::span<const float> last = readings.row(readings.rows() - 1);
+    require(last.size() == devices::elements_of(sensor),
+            "EmulatedBody: a sensor of the body has other elements than that of the device");
     std::transform(last.begin(), last.end(),
                    frame_.begin() + static_cast<std::ptrdiff_t>(sensor.first), raw);
   }

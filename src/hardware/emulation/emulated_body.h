@@ -17,7 +17,8 @@ namespace somato::emulation {
 /// samples of the microphone.
 class EmulatedBody {
  public:
-  /// `body` has the servos and sensors of the device file; see devices::check_against().
+  /// `body` has the servos and sensors of the device file; see devices::check_against(). Throws
+  /// InvalidArgument, here or while time passes, if a reading has other elements than its sensor.
   EmulatedBody(devices::DeviceFile file, std::unique_ptr<Body> body);
 
   /// Another body in its place, such as the same hand before another object.

@@ -174,6 +174,7 @@ class BagOfFiles : public BagSource {
       if (message) {
         SOMATO_TRY_VOID(add_topics());
         message->topic = topic_in_bag_[message->topic];
+        message->file = next_file_ - 1;
         return message;
       }
       if (next_file_ == files_.size()) return message;
@@ -291,6 +292,22 @@ Result<std::unique_ptr<SortedBag>> open_bag(const BagLocation& bag,
   auto source = std::make_unique<BagOfFiles>(bag.files, std::move(known));
   SOMATO_TRY_VOID(source->open_next());
   return std::make_unique<SortedBag>(std::move(source));
+}
+
+std::vector<std::string> remarks_on(const BagLocation& bag, const SortedBag& read) {
+  BagCounts held;
+  for (std::size_t i = 0; i < read.messages_of_topics().size(); ++i) {
+    held.topics[read.topics()[i].name] += read.messages_of_topics()[i];
+  }
+  for (std::size_t i = 0; i < bag.files.size(); ++i) {
+    const auto& messages = read.messages_of_files();
+    held.files[fs::path(bag.files[i]).filename().string()] = i < messages.size() ? messages[i] : 0;
+  }
+  std::vector<std::string> remarks = bag.remarks;
+  for (std::string& sentence : differences(bag.metadata, held)) {
+    remarks.push_back(std::move(sentence));
+  }
+  return remarks;
 }
 
 }  // namespace somato

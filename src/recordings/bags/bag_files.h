@@ -34,4 +34,8 @@ Result<std::vector<BagLocation>> find_bags(const std::filesystem::path& path);
 Result<std::unique_ptr<SortedBag>> open_bag(const BagLocation& bag,
                                             const std::string& definitions = {});
 
+/// How a bag differs from its description, a sentence each: BagLocation::remarks, and the numbers
+/// of messages that were read, by topic and by file. `read` is at its end.
+std::vector<std::string> remarks_on(const BagLocation& bag, const SortedBag& read);
+
 }  // namespace somato

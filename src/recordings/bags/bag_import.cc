@@ -76,7 +76,6 @@ class BagReading {
   Result<void> take(BagMessage message) {
     if (!zero_) zero_ = message.time;
     SOMATO_TRY_VOID(compile_uses());
-    ++messages_[message.topic];
     const TopicUse& use = uses_[message.topic];
     const bool is_read = !use.channels.empty() || !use.labels.empty() || use.event;
     if (use.messages.type && is_read) {
@@ -103,7 +102,6 @@ class BagReading {
         orders_->try_emplace(channel.description.name, channel.reader.order());
       }
       uses_.push_back(std::move(*use));
-      messages_.push_back(0);
     }
     return {};
   }
@@ -345,13 +343,7 @@ class BagReading {
   }
 
   void add_remarks(BagImportReport& report) const {
-    std::map<std::string, std::uint64_t> held;
-    for (std::size_t i = 0; i < messages_.size(); ++i) {
-      held[source_->topics()[i].name] += messages_[i];
-    }
-    std::vector<std::string> remarks = differences(bag_->metadata, held);
-    remarks.insert(remarks.begin(), bag_->remarks.begin(), bag_->remarks.end());
-    for (const std::string& remark : remarks) {
+    for (const std::string& remark : remarks_on(*bag_, *source_)) {
       report.remarks.push_back(fmt::format("{}: {}", bag_->path, remark));
     }
   }
@@ -359,7 +351,8 @@ class BagReading {
   void add_left_out(BagImportReport& report) const {
     report.frames_outside += frames_outside_;
     for (std::size_t i = 0; i < uses_.size(); ++i) {
-      if (!uses_[i].reason.empty()) add_left_out(report, i, messages_[i], uses_[i].reason);
+      if (!uses_[i].reason.empty())
+        add_left_out(report, i, source_->messages_of_topics()[i], uses_[i].reason);
     }
     for (const auto& [of, messages] : without_elements_) {
       add_left_out(report, of.first, messages,
@@ -416,9 +409,8 @@ class BagReading {
   ElementOrders* orders_;  // By the names of channels, for all bags.
   FrameSink* sink_;
   std::vector<std::optional<std::string>> values_of_labels_;
-  std::unique_ptr<BagSource> source_;
+  std::unique_ptr<SortedBag> source_;
   std::vector<TopicUse> uses_;
-  std::vector<std::uint64_t> messages_;
   using MessagesOfChannel = std::map<std::pair<std::size_t, std::string>, std::uint64_t>;
   MessagesOfChannel without_elements_;  // By topic and name of the channel.
   MessagesOfChannel without_values_;

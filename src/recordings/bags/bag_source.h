@@ -28,6 +28,7 @@ struct BagMessage {
   std::size_t topic = 0;  ///< Index in BagSource::topics().
   std::int64_t time = 0;  ///< Nanoseconds by the recorder's clock.
   std::string_view data;
+  std::size_t file = 0;  ///< Its number among the files of the bag.
 };
 
 /// The messages of a bag in the order in which they were recorded.

@@ -1,7 +1,6 @@
 #include "recordings/bags/inspect_bag.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,14 +46,6 @@ void add_time(TopicSummary& summary, std::int64_t time) {
   ++summary.messages;
 }
 
-void add_differences(BagSummary& summary, const BagMetadata& listed) {
-  std::map<std::string, std::uint64_t> held;
-  for (const TopicSummary& topic : summary.topics) held[topic.name] += topic.messages;
-  for (std::string& sentence : differences(listed, held)) {
-    summary.remarks.push_back(std::move(sentence));
-  }
-}
-
 }  // namespace
 
 double TopicSummary::rate() const {
@@ -84,7 +75,7 @@ Result<BagSummary> inspect_bag(const BagLocation& bag, const std::string& defini
     add_time(topic, (*message)->time);
   }
   summary.displaced = source->displaced();
-  if (!summary.damage) add_differences(summary, bag.metadata);
+  if (!summary.damage) summary.remarks = remarks_on(bag, *source);
   return summary;
 }
 

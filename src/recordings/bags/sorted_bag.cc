@@ -4,6 +4,14 @@
 #include <utility>
 
 namespace somato {
+namespace {
+
+void count(std::vector<std::uint64_t>& messages, std::size_t at) {
+  if (messages.size() <= at) messages.resize(at + 1);
+  ++messages[at];
+}
+
+}  // namespace
 
 Result<std::optional<BagMessage>> SortedBag::next() {
   while (!is_first_ready()) take_next();
@@ -38,6 +46,8 @@ void SortedBag::take_next() {
 }
 
 void SortedBag::take(const BagMessage& message) {
+  count(of_topics_, message.topic);
+  count(of_files_, message.file);
   const bool is_first = latest_.number == 0;
   const bool is_set_back = !is_first && message.time < latest_.time - kLongestDelay;
   if (is_set_back) ++latest_.epoch;

@@ -35,6 +35,10 @@ class SortedBag : public BagSource {
   Result<std::optional<BagMessage>> next() override;
   const std::vector<BagTopic>& topics() const override { return from_->topics(); }
 
+  /// The numbers of messages so far, by topic, and by file of the bag.
+  const std::vector<std::uint64_t>& messages_of_topics() const { return of_topics_; }
+  const std::vector<std::uint64_t>& messages_of_files() const { return of_files_; }
+
   /// The number of messages so far that were not in the order of their times, and were sorted.
   std::uint64_t displaced() const { return displaced_; }
 
@@ -59,6 +63,8 @@ class SortedBag : public BagSource {
   std::map<Key, Waiting> waiting_;
   std::size_t bytes_ = 0;  // The size of the messages that wait.
   Key latest_;             // The latest time of the epoch, and the number of messages so far.
+  std::vector<std::uint64_t> of_topics_;
+  std::vector<std::uint64_t> of_files_;
   std::uint64_t displaced_ = 0;
   std::optional<Error> damage_;
   bool is_at_end_ = false;
