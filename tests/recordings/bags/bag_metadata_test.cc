@@ -63,8 +63,8 @@ TEST(BagMetadata, DifferencesOfFilesAndOfTheSumAreNamed) {
   EXPECT_EQ(differences_from(listed, {{"/touch", 70}}, {{"b_0.mcap", 50}, {"b_1.mcap", 20}}),
             Sentences());
   EXPECT_EQ(differences_from(listed, {{"/touch", 70}}, {{"b_0.mcap", 51}, {"b_1.mcap", 19}}),
-            (Sentences{"metadata.yaml lists 50 messages in b_0.mcap, which holds 51",
-                       "metadata.yaml lists 20 messages in b_1.mcap, which holds 19"}));
+            (Sentences{"metadata.yaml lists 50 messages in 'b_0.mcap', which holds 51",
+                       "metadata.yaml lists 20 messages in 'b_1.mcap', which holds 19"}));
   listed.messages_of_files.clear();
   EXPECT_EQ(differences_from(listed, {{"/touch", 69}}),
             Sentences{"metadata.yaml lists 70 messages, the files hold 69"});

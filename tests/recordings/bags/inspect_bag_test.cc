@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,33 @@ TEST(InspectBag, TheRateIsThatOfTheClockWhileItGoesForward) {
   ASSERT_TRUE(summary) << to_string(summary.error());
   EXPECT_EQ(summary->topics[0].set_back, 1U);
   EXPECT_DOUBLE_EQ(summary->topics[0].rate(), 10.0);
+}
+
+// Messages that are in another file than the description says are compared by file: the order of
+// their times does not tell which file they are in.
+TEST(InspectBag, NumbersOfMessagesAreComparedByFile) {
+  const TemporaryFolder folder;
+  for (const int file : {0, 1}) {
+    MadeBag made(folder.file(file == 0 ? "b_0.mcap" : "b_1.mcap"));
+    const auto own = made.topic("/own", "a/msg/X", "float64[] x\n");
+    for (int i = 0; i < 3; ++i) made.add(own, 10 * i + 5 * file, numbers_message({1}));
+    made.finish();
+  }
+  const auto remarks = [&](const std::string& counts) {
+    std::ofstream(folder.file("metadata.yaml"))
+        << "rosbag2_bagfile_information:\n  relative_file_paths:\n    - b_0.mcap\n    - b_1.mcap\n"
+        << counts;
+    return inspect_bag(find_bags(folder.path()).value()[0]).value().remarks;
+  };
+  const std::string files =
+      "  files:\n    - path: b_0.mcap\n      message_count: 3\n    - path: b_1";
+  EXPECT_EQ(remarks(files + ".mcap\n      message_count: 3\n  message_count: 6\n"),
+            std::vector<std::string>());
+  EXPECT_EQ(
+      remarks(files + ".mcap\n      message_count: 9\n"),
+      std::vector<std::string>{"metadata.yaml lists 9 messages in 'b_1.mcap', which holds 3"});
+  EXPECT_EQ(remarks("  message_count: 7\n"),
+            std::vector<std::string>{"metadata.yaml lists 7 messages, the files hold 6"});
 }
 
 // A file that is no recording as it is, because of its order or elements, is not damaged.
