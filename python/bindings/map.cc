@@ -191,21 +191,33 @@ nb::object Map::activity(const SampleRows& rows, std::size_t threads) const {
   return array_of(std::move(activity), shape);
 }
 
-nb::object Map::classes(const SampleRows& rows, std::size_t threads) const {
+template <typename NumberOf>
+nb::object Map::numbers_of(const SampleRows& rows, std::size_t threads, NumberOf number_of) const {
   check_rows(rows);
-  std::vector<std::int64_t> classes(rows.count());
+  std::vector<std::int64_t> numbers(rows.count());
   unlocked([&](Interrupts& interrupts) {
     for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
       for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
         SomWorkspace workspace;
         for (std::size_t i = begin; i < end; ++i) {
-          classes[first + i] =
-              static_cast<std::int64_t>(model_.labels.classify(model_.som, part[i], workspace));
+          numbers[first + i] = static_cast<std::int64_t>(number_of(part[i], workspace));
         }
       });
     });
   });
-  return array_of(std::move(classes));
+  return array_of(std::move(numbers));
+}
+
+nb::object Map::classes(const SampleRows& rows, std::size_t threads) const {
+  return numbers_of(rows, threads, [&](const SignalView& row, SomWorkspace& workspace) {
+    return model_.labels.classify(model_.som, row, workspace);
+  });
+}
+
+nb::object Map::labelled_winners(const SampleRows& rows, std::size_t threads) const {
+  return numbers_of(rows, threads, [&](const SignalView& row, SomWorkspace& workspace) {
+    return model_.som.winner_among(model_.labels.labelled(), row, workspace);
+  });
 }
 
 nb::tuple Map::quality(const SampleRows& rows, std::size_t threads) const {
@@ -284,6 +296,7 @@ void bind_map(nb::module_& module) {
       .def("winners", &Map::winners, nb::arg("rows"), nb::arg("threads"))
       .def("activity", &Map::activity, nb::arg("rows"), nb::arg("threads"))
       .def("classes", &Map::classes, nb::arg("rows"), nb::arg("threads"))
+      .def("labelled_winners", &Map::labelled_winners, nb::arg("rows"), nb::arg("threads"))
       .def("quality", &Map::quality, nb::arg("rows"), nb::arg("threads"))
       .def("weights", &Map::weights)
       .def("u_matrix", &Map::u_matrix)

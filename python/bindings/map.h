@@ -42,6 +42,9 @@ class Map {
   nanobind::object activity(const SampleRows& rows, std::size_t threads) const;
   nanobind::object classes(const SampleRows& rows, std::size_t threads) const;
 
+  /// The most similar neuron with a label.
+  nanobind::object labelled_winners(const SampleRows& rows, std::size_t threads) const;
+
   /// Quantization error, topographic error, hits and winners.
   nanobind::tuple quality(const SampleRows& rows, std::size_t threads) const;
 
@@ -62,6 +65,11 @@ class Map {
 
  private:
   void check_rows(const SampleRows& rows) const;
+
+  // number_of(row, workspace) for each row.
+  template <typename NumberOf>
+  nanobind::object numbers_of(const SampleRows& rows, std::size_t threads,
+                              NumberOf number_of) const;
 
   // That which takes the rows.
   const SomModel& taking(const SampleRows& rows) const;

@@ -1,19 +1,50 @@
 """Self-organizing maps for haptic perception, and for any other data (docs/python.md)."""
 
-from ._somato import __version__
-from .codes import OneHot, Spectrum, TensorProduct
-from .drawing import Drawing, Page
-from .errors import (ConversionWarning, DataError, DataTypeError, Error, LabelWarning,
-                     LeftOutWarning, MissingChannelError, NotFittedError, OperatingSystemError, UsageError)
-from .exploring import explore, object_tables
-from .recording import Recording, read
-from .som import SOM
-from .studies import Live, Study, System, TrainedSystem, load, study, systems
-from .sweeps import Sweep, sweep
-from .t_mpsom import TMPSOM
+from importlib import import_module
+from typing import TYPE_CHECKING
 
-__all__ = ["SOM", "TMPSOM", "ConversionWarning", "DataError", "DataTypeError", "Drawing", "Error",
-           "LabelWarning", "LeftOutWarning", "Live", "MissingChannelError", "NotFittedError", "OneHot",
-           "OperatingSystemError", "Page", "Recording", "Spectrum", "Study", "Sweep", "System",
-           "TensorProduct", "TrainedSystem", "UsageError", "__version__", "explore", "load",
-           "object_tables", "read", "study", "sweep", "systems"]
+from ._somato import __version__
+
+if TYPE_CHECKING:
+    from .codes import *
+    from .drawing import *
+    from .errors import *
+    from .exploring import *
+    from .recording import *
+    from .som import *
+    from .som_classifier import *
+    from .studies import *
+    from .sweeps import *
+    from .t_mpsom import *
+
+_NAMES_OF = {
+    "codes": ["OneHot", "Spectrum", "TensorProduct"],
+    "drawing": ["Drawing", "Page"],
+    "errors": ["ConversionWarning", "DataError", "DataTypeError", "Error", "LabelWarning", "LeftOutWarning",
+               "MissingChannelError", "NotFittedError", "OperatingSystemError", "UsageError"],
+    "exploring": ["explore", "object_tables"],
+    "recording": ["Recording", "read"],
+    "som": ["SOM"],
+    "som_classifier": ["SOMClassifier"],
+    "studies": ["Live", "Study", "System", "TrainedSystem", "load", "study", "systems"],
+    "sweeps": ["Sweep", "sweep"],
+    "t_mpsom": ["TMPSOM"],
+}
+_MODULE_OF = {name: module for module, names in _NAMES_OF.items() for name in names}
+
+__all__ = ["__version__", *_MODULE_OF]
+
+
+def __getattr__(name):
+    """Imports a module when its first name is used, because importing scikit-learn takes seconds."""
+    if name in _NAMES_OF:
+        return import_module(f".{name}", __name__)
+    if name not in _MODULE_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f".{_MODULE_OF[name]}", __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return __all__

@@ -19,3 +19,17 @@ def test_the_stub_is_that_of_the_extension_module(tmp_path):
                     str(stub)], check=True)
     written = Path(pysomato.__file__).with_name("_somato.pyi")
     assert stub.read_text() == written.read_text(), f"write {written} anew with nanobind.stubgen"
+
+
+def test_packages_that_take_seconds_are_imported_when_they_are_needed():
+    code = ("import sys, pysomato; "
+            "print(sorted({'numpy', 'pandas', 'scipy', 'sklearn'} & set(sys.modules))); "
+            "pysomato.SOM; print('sklearn' in sys.modules)")
+    done = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    assert done.stdout.split("\n")[:2] == ["[]", "True"]
+
+
+def test_modules_and_names_are_those_of_the_package():
+    assert pysomato.som.SOM is pysomato.SOM
+    assert set(pysomato.__all__) <= set(dir(pysomato))
+    assert not hasattr(pysomato, "som_learner")

@@ -237,7 +237,8 @@ TEST(EmulatedBody, RefusesABodyWithOtherElements) {
     skin->add_sensor(field, [elements](const std::vector<double>&) {
       return std::vector<float>(elements, 40.0F);
     });
-    EXPECT_THROW(EmulatedBody(file, std::move(skin)), InvalidArgument) << elements;
+    EmulatedBody body(file, std::move(skin));
+    EXPECT_THROW((void)body.advance(0.1), InvalidArgument) << elements;
   }
 }
 
