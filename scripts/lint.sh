@@ -69,6 +69,7 @@ check 'recipes' python3 scripts/recipes.py --check
 check 'house rules' python3 scripts/check_text.py
 check 'types of the pages' python3 scripts/page_types.py --check
 check 'metrics of the pages' python3 scripts/page_metrics.py --check
+check 'pages of the headers' python3 scripts/header_pages.py --check
 check 'shell scripts' check_shell
 finish_checks
 # It uses all cores itself, and with --fix it changes files, as clang-format does.
