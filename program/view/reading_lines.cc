@@ -4,7 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include "somato/maps/novelty.h"
 
 namespace somato::program {
 namespace {
@@ -50,6 +54,17 @@ Json reading_json(const live::SaidReading& said, bool is_final) {
   return line;
 }
 
+// An exploration without a name has the label "unknown", which is a name like any other if it was
+// learned. What was not learned is right to be unknown.
+std::optional<bool> is_right(const live::SaidReading& said, const std::string& given) {
+  const std::vector<std::string>& learned = said.model.answer->classes;
+  const bool is_learned = std::find(learned.begin(), learned.end(), given) != learned.end();
+  if (given == kUnknownAnswer && !is_learned) return std::nullopt;
+  const auto value = value_of(said);
+  const bool is_unknown = value && said.reading->novelty && value == kUnknownAnswer;
+  return is_unknown ? !is_learned : value == given;
+}
+
 // Labels may hold anything.
 std::string json_line(const Json& line) {
   return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -63,9 +78,11 @@ std::string moment_line(const live::SaidReading& said) {
 
 std::string final_line(const live::SaidReading& said, const Exploration& exploration) {
   Json line = reading_json(said, true);
-  if (const auto given = find_label(exploration, said.model.answer->label)) {
+  const auto given = find_label(exploration, said.model.answer->label);
+  const auto right = given ? is_right(said, *given) : std::nullopt;
+  if (right) {
     line["given"] = *given;
-    line["right"] = value_of(said) == *given;
+    line["right"] = *right;
   }
   return json_line(line);
 }

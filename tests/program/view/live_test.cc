@@ -1,4 +1,5 @@
 #include "program/support/program_test.h"
+#include "somato/recording/format.h"
 #include "somato/recording/recording_file.h"
 #include "views/support/http_client.h"
 
@@ -124,6 +125,27 @@ TEST_F(Live, AFolderAndItsFileGiveTheSameLines) {
   output_of({"import", "icub_grasp", kTrials, "-o", "grasps.mcap"});
   EXPECT_EQ(output_of(live({"--recording", "grasps.mcap"})),
             output_of(live({"--recording", kTrials})));
+}
+
+// A name that was not given is "unknown", unless something has that name.
+TEST_F(Live, ReadingsOfExplorationsWithoutANameAreNeitherRightNorWrong) {
+  for (const bool is_name : {false, true}) {
+    Recording recording = load_recording(RecordingFormat::kAutomatic, kTrials).value();
+    for (std::size_t i = 0; i < recording.explorations.size(); i += is_name ? 1 : 2) {
+      std::string& object = recording.explorations[i].labels[0].value;
+      if (!is_name || object == "ball_small") object = "unknown";
+    }
+    ASSERT_TRUE(write_recording(path("named.mcap"), recording));
+    write_study();
+    output_of(
+        {"run", "study.toml", "--data", is_name ? path("named.mcap") : kTrials, "--out", "out"});
+    const std::vector<json> finals = finals_in(output_of(live({"--recording", "named.mcap"})));
+    ASSERT_EQ(finals.size(), recording.explorations.size());
+    for (std::size_t i = 0; i < finals.size(); ++i) {
+      EXPECT_EQ(finals[i].contains("right"), is_name || i % 2 == 1) << finals[i];
+      EXPECT_EQ(finals[i].contains("given"), is_name || i % 2 == 1) << finals[i];
+    }
+  }
 }
 
 TEST_F(Live, ABodyAndItsRecordingGiveTheSameLines) {
