@@ -1,5 +1,6 @@
 """Pictures of maps and of skins: SVG, and axes of matplotlib."""
 
+import difflib
 import html
 import os
 from pathlib import Path
@@ -100,12 +101,15 @@ class MapData:
         return Drawing(picture.svg(title))
 
     def plot(self, panel, ax, where):
-        """Draws the cells of one panel on axes of matplotlib; panel may be the number of a column."""
+        """Draws the cells of one panel on axes of matplotlib; panel may be a column, by its name or number."""
+        if isinstance(panel, str) and panel not in PANELS and panel in self.map.features:
+            panel = self.map.features.index(panel)
         is_column = not isinstance(panel, str)
         if is_column:
             _check_column(panel, self.map, where)
         elif panel == "components":
-            raise UsageError("axes show one component plane", where, "give the number of its column")
+            raise UsageError("axes show one component plane", where,
+                             "give the name or number of its column")
         else:
             self._check(panel, where)
         axes = _axes_of(ax)
@@ -151,7 +155,11 @@ class MapData:
 
     def _check(self, panel, where):
         if panel not in PANELS:
-            raise UsageError(f"there is no panel '{panel}'", where, f"panels are: {', '.join(PANELS)}")
+            columns = self.map.features if where.endswith(".plot") else []
+            near = difflib.get_close_matches(panel, [*PANELS, *columns], n=1)
+            advice = f"panels are: {', '.join(PANELS)}" + (", and the names of columns" if columns else "")
+            raise UsageError(f"there is no panel '{panel}'", where,
+                             f"did you mean '{near[0]}'? {advice}" if near else advice)
         lack = self._lack(panel)
         if lack is not None:
             raise UsageError(f"the panel '{panel}' needs {lack[0]}", where, lack[1])

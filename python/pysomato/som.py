@@ -230,7 +230,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         """Draws one panel on axes of matplotlib (``pip install 'pysomato[matplotlib]'``).
 
         Args:
-            panel: As for ``draw``; instead of ``components`` the number of a column, from 0.
+            panel: As for ``draw``; instead of ``components`` a column: its name, or its number from 0.
             X: As for ``draw``.
             y: As for ``draw``.
             ax: The axes; None: those of a new figure.

@@ -156,10 +156,23 @@ def test_axes_show_any_panel(som, axes):
     np.testing.assert_array_equal(plane.collections[0].get_array(), som.weights_[:, 2])
     named = som.plot("labels").get_legend_handles_labels()[1]
     assert named == list(som.classes_)
-    for panel, message in [("components", "number of its column"), (7, "counted from 0"),
+    for panel, message in [("components", "name or number of its column"), (7, "counted from 0"),
                            ("planes", "panels are")]:
         with pytest.raises(pysomato.UsageError, match=message):
             som.plot(panel)
+
+
+def test_axes_show_a_column_by_its_name(X, axes):
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(X, columns=["aperture_mm", "hits", *[f"joint{i}" for i in range(X.shape[1] - 2)]])
+    som = pysomato.SOM(3, 4).fit(frame)
+    plane = som.plot("aperture_mm", ax=axes)
+    np.testing.assert_array_equal(plane.collections[0].get_array(), som.weights_[:, 0])
+    assert plane.get_title() == "aperture_mm"
+    # The name of a panel is that panel; the column of the same name has its number.
+    np.testing.assert_array_equal(som.plot("hits").collections[0].get_array(), som.hits_)
+    with pytest.raises(pysomato.UsageError, match="did you mean 'aperture_mm'.*the names of columns"):
+        som.plot("aperture")
 
 
 def test_without_matplotlib_a_plot_says_what_to_install(som, monkeypatch):
