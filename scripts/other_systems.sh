@@ -72,9 +72,11 @@ inside() {
   ' inside "$1" "$cache" "${@:2}" </dev/null
 }
 
-# The system reaches the network as this machine does: name servers, certificates, settings of apt and pip.
+# The system reaches the network as this machine does: name servers, certificates, settings of apt and pip. Its own name
+# is that of every installation.
 copy_settings() {
   local root=$1 file
+  printf '127.0.0.1 localhost\n::1 localhost\n' >"$root/etc/hosts"
   cp --dereference /etc/resolv.conf "$root/etc/" &&
     apt-config dump | grep '^Acquire::' >"$root/etc/apt/apt.conf.d/90machine" &&
     for file in /usr/local/share/ca-certificates /etc/pip.conf; do

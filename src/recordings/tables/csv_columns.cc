@@ -76,11 +76,14 @@ class ColumnFinder {
     for (std::size_t i = 0; found && i < trials.time.size(); ++i) {
       found = take_named(trials.time[i], {CsvUse::kTime, 0, i});
     }
-    if (found && !trials.exploration.empty()) {
+    const auto& labels = trials.labels;
+    const bool is_label =
+        std::find(labels.begin(), labels.end(), trials.exploration) != labels.end();
+    if (found && !trials.exploration.empty() && !is_label) {
       found = take_named(trials.exploration, {CsvUse::kExploration});
     }
-    for (std::size_t i = 0; found && i < trials.labels.size(); ++i) {
-      found = take_named(trials.labels[i], {CsvUse::kLabel, 0, i});
+    for (std::size_t i = 0; found && i < labels.size(); ++i) {
+      found = take_named(labels[i], {CsvUse::kLabel, 0, i});
     }
     return found;
   }

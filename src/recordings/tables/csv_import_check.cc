@@ -171,8 +171,10 @@ Result<std::set<std::string>> columns_of_trials(const CsvTrials& trials) {
     return wrong(fmt::format("column '{}' is used twice", trials.exploration),
                  "name each column once");
   }
+  std::set<std::string> labels;
   for (const std::string& label : trials.labels) {
-    if (taken.insert(label).second) continue;
+    const bool is_free = taken.insert(label).second || label == trials.exploration;
+    if (labels.insert(label).second && is_free) continue;
     return wrong(fmt::format("column '{}' is used twice", label), "name each column once");
   }
   return taken;

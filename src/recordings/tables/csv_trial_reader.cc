@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -176,11 +177,18 @@ class TrialReader {
       case CsvUse::kExploration:
         return read_label(field, description_.trials.exploration, exploration_);
       case CsvUse::kLabel:
-        return read_label(field, description_.trials.labels[column.element],
-                          labels_[column.element]);
+        return read_label_of_row(field, column.element);
       case CsvUse::kValue:
         return read_value(field, column);
     }
+    return {};
+  }
+
+  // Explorations may be divided where a label changes.
+  Result<void> read_label_of_row(const CsvField& field, std::size_t label) {
+    const CsvTrials& trials = description_.trials;
+    SOMATO_TRY_VOID(read_label(field, trials.labels[label], labels_[label]));
+    if (trials.labels[label] == trials.exploration) exploration_ = labels_[label];
     return {};
   }
 
@@ -207,14 +215,28 @@ class TrialReader {
     begins_exploration_ = parts_.empty() || exploration_ != last_exploration_;
     const bool changes = begins_exploration_ || parts_.back().values != labels_;
     if (changes && !begins_exploration_ && !divides_files(description_.trials)) {
-      return fail(ErrorKind::kData, "the labels of columns change within the file", line_place(),
-                  "divide it: write for example window = 500, or rows = \"explorations\"");
+      return labels_change();
     }
     if (changes) parts_.push_back({rows_, 0, labels_});
     last_exploration_ = exploration_;
     ++parts_.back().rows;
     ++rows_;
     return {};
+  }
+
+  tl::unexpected<Error> labels_change() const {
+    const CsvTrials& trials = description_.trials;
+    const auto [changed, before] =
+        std::mismatch(labels_.begin(), labels_.end(), parts_.back().values.begin());
+    const std::string& name = trials.labels[static_cast<std::size_t>(changed - labels_.begin())];
+    return fail(
+        ErrorKind::kData,
+        fmt::format("the label '{}' changes within {}", name,
+                    trials.exploration.empty() ? "the file" : "an exploration"),
+        line_place(),
+        fmt::format("divide it where the label changes: exploration = \"{}\"; or into windows: "
+                    "window = 500; or into rows: rows = \"explorations\"",
+                    name));
   }
 
   Result<void> read_value(const CsvField& field, const CsvColumn& slot) {

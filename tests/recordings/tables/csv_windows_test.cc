@@ -223,8 +223,9 @@ TEST_F(ImportTable, RefusesLabelsThatChangeInAWholeFile) {
   EXPECT_EQ(imported(), (Names{"t a 1 12"}));
   folder_.with("t.csv", "object,x,grasp\na,1,1\na,2,2\n");
   EXPECT_EQ(refusal(),
-            "t.csv:3: the labels of columns change within the file; divide it: write for "
-            "example window = 500, or rows = \"explorations\"");
+            "t.csv:3: the label 'grasp' changes within the file; divide it where the label "
+            "changes: exploration = \"grasp\"; or into windows: window = 500; or into rows: rows = "
+            "\"explorations\"");
 }
 
 TEST_F(ImportTable, AColumnOfExplorationsDividesFiles) {
@@ -245,11 +246,34 @@ TEST_F(ImportTable, AColumnOfExplorationsDividesFiles) {
     EXPECT_EQ(std::vector<float>(found.begin(), found.end()), values[i]);
   }
   folder_.with("t.csv", "t,object,x,grasp\n0,a,1,1\n1,b,2,1\n");
-  EXPECT_TRUE(refusal().starts_with("t.csv:3: the labels of columns change")) << refusal();
+  EXPECT_TRUE(refusal().starts_with("t.csv:3: the label 'object' changes within an exploration"))
+      << refusal();
   folder_.with("t.csv", "t,object,x,grasp\n1,a,1,1\n0,a,2,1\n");
   EXPECT_TRUE(refusal().starts_with("t.csv:3:1: the time decreases")) << refusal();
   plan_.trials.window = 1;
   EXPECT_NE(refusal().find("both 'exploration' and 'window'"), std::string::npos) << refusal();
+}
+
+// Rows of the same object that follow each other are one exploration.
+TEST_F(ImportTable, ALabelDividesFilesWhereItChanges) {
+  plan_.trials.rows = CsvRows::kFrames;
+  plan_.trials.labels = {"hand", "object"};
+  plan_.trials.exploration = "object";
+  folder_.with("t.csv", "hand,object,x\nleft,a,1\nleft,a,2\nleft,b,3\nleft,a,4\nleft,a,5\n");
+  const Recording recording = import().value();
+  ASSERT_EQ(recording.explorations.size(), 3U);
+  const std::vector<std::vector<float>> values{{1, 2}, {3}, {4, 5}};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Exploration& exploration = recording.explorations[i];
+    EXPECT_EQ(exploration.labels.back(), (Label{"object", i == 1 ? "b" : "a"}));
+    const auto found = exploration.channels.at(0).frames.values();
+    EXPECT_EQ(std::vector<float>(found.begin(), found.end()), values[i]);
+  }
+  folder_.with("t.csv", "hand,object,x\nleft,a,1\nright,a,2\n");
+  EXPECT_TRUE(refusal().starts_with("t.csv:3: the label 'hand' changes within an exploration"))
+      << refusal();
+  plan_.trials.labels = {"object", "object"};
+  EXPECT_NE(refusal().find("there are two labels 'object'"), std::string::npos) << refusal();
 }
 
 // 0.1 and the next float32 number differ by less than their shortest texts state.
