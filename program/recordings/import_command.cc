@@ -1,9 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <iterator>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/files/toml_file.h"
 #include "base/text/text.h"
@@ -34,7 +38,23 @@ Imported without_remark(Recording recording) {
 
 std::vector<std::string> formats();
 
-// "touch:counts=taxel1..taxel16+Fz", where the unit is optional.
+// The lengths in "4x4".
+Result<std::vector<std::size_t>> shape_in(const std::string& text, const std::string& channel) {
+  std::vector<std::size_t> shape;
+  for (const std::string& length : split(text, 'x')) {
+    std::size_t value = 0;
+    const auto [end, failure] =
+        std::from_chars(length.data(), length.data() + length.size(), value);
+    if (failure != std::errc() || end != length.data() + length.size() || value == 0) {
+      return fail(ErrorKind::kUsage, fmt::format("'{}' is not a shape", text), "--channels",
+                  fmt::format("write for example {}[4x4], row by row", channel));
+    }
+    shape.push_back(value);
+  }
+  return shape;
+}
+
+// "touch[4x4]:counts=t00..t33+Fz", where shape and unit are optional.
 Result<CsvChannel> channel_of(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) {
@@ -45,6 +65,12 @@ Result<CsvChannel> channel_of(const std::string& text) {
   const std::size_t colon = std::min(head.find(':'), head.size());
   CsvChannel channel;
   channel.name = head.substr(0, colon);
+  const std::size_t bracket = channel.name.find('[');
+  if (bracket != std::string::npos && channel.name.ends_with(']')) {
+    const std::string shape = channel.name.substr(bracket + 1);
+    channel.name.resize(bracket);
+    SOMATO_TRY(channel.shape, shape_in(shape.substr(0, shape.size() - 1), channel.name));
+  }
   channel.unit = head.substr(std::min(colon + 1, head.size()));
   channel.columns = split(text.substr(equals + 1), '+');
   return channel;
@@ -324,7 +350,8 @@ Command import_command() {
                   "[[label]] for bag), instead of the flags below"),
        {"--channels",
         "For csv: the channels with their units and columns, such as "
-        "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz or 'touch=taxel_*'. For bag: with their "
+        "touch:counts=taxel1..taxel16,force:N=Fx+Fy+Fz or 'touch[4x4]=t*', where the columns "
+        "are the rows of 4 by 4 elements. For bag: with their "
         "topics and fields, such as 'touch:counts=/xServTopic:sensors[*].taxels[*].z' or "
         "'arm:rad=/joint_states:position[shoulder,elbow]'; without it the channels of all known "
         "types"}},

@@ -40,8 +40,8 @@ class ColumnFinder {
   }
 
   Result<CsvColumns> find() && {
-    find_ignored();
-    Result<void> done = find_trials();
+    Result<void> done = find_ignored();
+    if (done) done = find_trials();
     for (std::size_t c = 0; done && c < layout_.channels.size(); ++c) done = find_channel(c);
     if (!done) return fail(std::move(done.error()));
     for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -54,15 +54,27 @@ class ColumnFinder {
   }
 
  private:
-  void find_ignored() {
+  Result<void> find_ignored() {
     is_ignored_.resize(names_.size());
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (layout_.ignored.contains(names_[i])) ignore(i, names_[i]);
       if (is_at(number_of(i), i) && layout_.ignored.contains(number_of(i))) ignore(i, number_of(i));
-      for (const std::string& pattern : layout_.ignored_patterns) {
-        if (fits_column_pattern(pattern, names_[i])) ignore(i, pattern);
-      }
     }
+    for (const std::string& pattern : layout_.ignored_patterns) {
+      SOMATO_TRY(const std::vector<std::size_t> places, places_of(pattern));
+      for (const std::size_t place : places) ignore(place, pattern);
+    }
+    return {};
+  }
+
+  // The columns that match a pattern, or lie in a range.
+  Result<std::vector<std::size_t>> places_of(const std::string& pattern) const {
+    if (is_column_range(pattern)) return columns_in_range(pattern, names_);
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (fits_column_pattern(pattern, names_[i])) places.push_back(i);
+    }
+    return places;
   }
 
   void ignore(std::size_t column, const std::string& entry) {
@@ -120,8 +132,9 @@ class ColumnFinder {
                             std::vector<std::string>& columns) {
     const std::size_t before = columns.size();
     bool fits = false;
-    for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (!fits_column_pattern(pattern, names_[i]) || is_nameless(names_[i], i)) continue;
+    SOMATO_TRY(const std::vector<std::size_t> places, places_of(pattern));
+    for (const std::size_t i : places) {
+      if (is_nameless(names_[i], i)) continue;
       fits = true;
       if (is_ignored_[i] || layout_.named.contains(names_[i])) continue;
       CsvColumn& column = found_.columns[i];

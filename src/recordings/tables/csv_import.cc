@@ -129,8 +129,9 @@ const Declarations<CsvChannel>& CsvChannel::declarations() {
           .add("unit", &P::unit, "", Range::any(),
                "Unit of its values after multiplication by the factor; empty for none.")
           .add("columns", &P::columns, "", Range::any(),
-               "Its columns, by name, as ranges such as taxel1..taxel16 or as patterns such as "
-               "taxel_*. A pattern matches columns that are neither named elsewhere nor ignored.")
+               "Its columns, by name, as ranges such as taxel1..taxel16 or thumb..pinky (from one "
+               "column to the other), or as patterns such as taxel_*. A pattern matches columns "
+               "that are neither named elsewhere nor ignored.")
           .add("shape", &P::shape, "", Range::between(1, 1e9),
                "Arrangement of the columns, row by row, such as [4, 4]; empty: a flat list.")
           .add("from_label", &P::from_label, "", Range::any(),

@@ -42,6 +42,24 @@ TEST_F(Import, DescribesCsvFilesByFlags) {
             "(1)\n");
 }
 
+// A glove beside a pad whose columns have a row and a column, cut where the object changes.
+TEST_F(Import, TakesRangesShapesAndExplorationsAsPeopleHaveThem) {
+  write("glove.csv",
+        "object,thumb,ring,pinky,p00,p01,p10,p11\n"
+        "cup,1,2,3,4,5,6,7\ncup,1,2,3,4,5,6,8\nball,9,2,3,4,5,6,7\n");
+  output_of({"import", "csv", "glove.csv", "-o", "glove.mcap", "--exploration", "object",
+             "--labels", "object", "--channels", "joints:deg=thumb..pinky,touch[2x2]:N=p00..p11"});
+  const Recording recording = read_recording(path("glove.mcap")).value();
+  ASSERT_EQ(recording.explorations.size(), 2U);
+  const auto& [joints, touch] =
+      std::tie(recording.explorations[0].channels.at(0), recording.explorations[0].channels.at(1));
+  EXPECT_EQ(joints.element_names, (Words{"thumb", "ring", "pinky"}));
+  EXPECT_EQ(joints.unit, "deg");
+  EXPECT_EQ(touch.element_names, (Words{"p00", "p01", "p10", "p11"}));
+  EXPECT_EQ(touch.shape, (std::vector<std::size_t>{2, 2}));
+  EXPECT_EQ(touch.frames(1, 3), 8.0F);
+}
+
 TEST_F(Import, DescribesCsvFilesByToml) {
   EXPECT_EQ(output_of(csv({"--description", "d.toml"})),
             "out.mcap: 2 explorations; labels: object, trial; channels: touch (2 x counts), trial "
@@ -127,6 +145,10 @@ TEST_F(Import, RefusesWrongUsage) {
           {csv({"--files", "{a}.csv"}), {"[import]: there are no channels"}},
           {csv({"--files", "{a}.csv", "--channels", "touch"}),
            {"--channels: 'touch' is not a channel", "write for example"}},
+          {csv({"--files", "{a}.csv", "--channels", "touch[4x]=x"}),
+           {"--channels: '4x' is not a shape", "write for example touch[4x4]"}},
+          {csv({"--files", "{a}.csv", "--channels", "touch[2x2]=x"}),
+           {"'touch' has 1 elements, which do not fill its shape 2 x 2"}},
           {csv({"--files", "{a}.csv", "--channels", "=x"}), {"the channel has no name"}},
           {csv({"--files", "{a}.csv", "--channels", "touch="}), {"a column has no name"}},
           {with({"--rate", "5"}), {"there are both 'time' and 'rate'"}},

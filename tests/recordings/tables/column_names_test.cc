@@ -57,9 +57,47 @@ TEST(FitsColumnPattern, FitsWhatTryingEveryTextFits) {
   }
 }
 
-TEST(IsColumnPattern, LooksForAStar) {
+TEST(IsColumnPattern, LooksForAStarOrARange) {
   EXPECT_TRUE(is_column_pattern("a*"));
-  EXPECT_FALSE(is_column_pattern("a1..a2"));
+  EXPECT_TRUE(is_column_pattern("thumb..pinky"));
+  EXPECT_FALSE(is_column_pattern("thumb"));
+  EXPECT_TRUE(is_column_range("a..b"));
+  EXPECT_FALSE(is_column_range("a..b*"));
+}
+
+// The names of the columns, or the error.
+Names in_range(const std::string& range, const Names& header) {
+  const auto places = columns_in_range(range, header);
+  if (!places) return {places.error().what};
+  Names names;
+  for (const std::size_t place : *places) names.push_back(header[place]);
+  return names;
+}
+
+TEST(ColumnsInRange, AreThoseBetweenTheTwoNames) {
+  const Names header{"time", "thumb", "index_tip", "ring", "pinky", "label"};
+  EXPECT_EQ(in_range("thumb..pinky", header), (Names{"thumb", "index_tip", "ring", "pinky"}));
+  EXPECT_EQ(in_range("ring..ring", header), Names{"ring"});
+  EXPECT_EQ(in_range("pinky..thumb", header), Names{"'pinky..thumb' is not a range of columns"});
+  EXPECT_EQ(in_range("thumb..pinkie", header), Names{"there is no column 'pinkie'"});
+  EXPECT_EQ(in_range("thmb..pinky", header), Names{"there is no column 'thmb'"});
+}
+
+TEST(ColumnsInRange, TwoDigitsAreARowAndAColumnIfThereAreNoOthers) {
+  Names pad;
+  for (const char row : {'0', '1', '2'}) {
+    for (const char column : {'1', '0'}) pad.push_back(std::string("t") + row + column);
+  }
+  EXPECT_EQ(in_range("t00..t21", pad), (Names{"t00", "t01", "t10", "t11", "t20", "t21"}));
+  EXPECT_EQ(in_range("t10..t21", pad), (Names{"t10", "t11", "t20", "t21"}));
+  // A column that is missing among numbers is not taken for the end of a row.
+  pad.push_back("t12");
+  EXPECT_EQ(in_range("t00..t21", pad), Names{"there is no column 't02'"});
+  Names all;
+  for (int i = 0; i < 35; ++i)
+    all.push_back("t" + std::string(i < 10 ? "0" : "") + std::to_string(i));
+  EXPECT_EQ(in_range("t00..t33", all).size(), 34U);
+  EXPECT_EQ(in_range("t21..t00", pad), Names{"'t21..t00' is not a range of columns"});
 }
 
 TEST(ExpandColumns, CountsRangesUp) {
@@ -69,12 +107,12 @@ TEST(ExpandColumns, CountsRangesUp) {
   EXPECT_EQ(expand_columns({"2..4"}), (Names{"2", "3", "4"}));
   EXPECT_EQ(expand_columns({"x1y7..x1y7"}), (Names{"x1y7"}));
   EXPECT_EQ(expand_columns({"a*", "*..*"}), (Names{"a*", "*..*"}));
+  EXPECT_EQ(expand_columns({"thumb..pinky", "t00..t33"}), (Names{"thumb..pinky", "t00..t33"}));
   EXPECT_EQ(expand_columns({}), Names{});
 }
 
 TEST(ExpandColumns, RefusesWhatIsNoRange) {
-  for (const char* range : {"..", "a..b", "a1..", "..a1", "a1..b2", "a2..a1", "a1..a2..a3",
-                            "a1..a99999999999999999999", "1a..2a"}) {
+  for (const char* range : {"..", "a1..", "..a1", "a2..a1", "a1..a2..a3"}) {
     const auto columns = expand_columns({range});
     ASSERT_FALSE(columns) << range;
     EXPECT_EQ(columns.error().what, "'" + std::string(range) + "' is not a range of columns");

@@ -145,9 +145,9 @@ TEST(ReadCsvImport, RefusesWhatDoesNotFitTogether) {
             "import.toml:6: unknown label 'bb'; did you mean 'b'?");
   EXPECT_EQ(refusal(kImport + "[[channel]]\nname = \"x\"\ncolumns = \"\"\n"),
             "import.toml:3: a column has no name; name it, or leave it out");
-  EXPECT_EQ(refusal(kImport + "ignore = \"a..b\"\n" + kTouch),
-            "import.toml:1: 'ignore': 'a..b' is not a range of columns; write for example "
-            "\"taxel1..taxel16\"");
+  EXPECT_EQ(refusal(kImport + "ignore = \"b2..b1\"\n" + kTouch),
+            "import.toml:1: 'ignore': 'b2..b1' is not a range of columns; write for example "
+            "\"taxel1..taxel16\", the first column first");
 }
 
 TEST(ReadCsvImport, RefusesWindowsThatAreNone) {
