@@ -54,6 +54,8 @@ def row(header):
     found = {}
     for name, sentence in documented(header.read_text(encoding="utf-8")):
         found.setdefault(name, sentence.rstrip(".") + ".")
+    if not found:
+        sys.exit(f"{header}: no declaration has a comment that begins with ///")
     names = ", ".join(f"`{name}`" for name in found)
     link = f"../../../include/somato/{header.parent.name}/{header.name}"
     return f"| [{header.name}]({link}) | {found[named_like(header, list(found))]} | {names} |\n"

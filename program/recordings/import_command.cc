@@ -38,6 +38,11 @@ Imported without_remark(Recording recording) {
 
 std::vector<std::string> formats();
 
+tl::unexpected<Error> misplaced_shape(const std::string& text) {
+  return fail(ErrorKind::kUsage, fmt::format("'{}' has brackets where no shape can be", text),
+              "--channels", "write the shape behind the name: touch[4x4]:N=t*");
+}
+
 // The lengths in "4x4".
 Result<std::vector<std::size_t>> shape_in(const std::string& text, const std::string& channel) {
   std::vector<std::size_t> shape;
@@ -54,6 +59,16 @@ Result<std::vector<std::size_t>> shape_in(const std::string& text, const std::st
   return shape;
 }
 
+// Removes the shape from a name such as "touch[4x4]"; without one it is empty.
+Result<std::vector<std::size_t>> shape_of_name(std::string& name) {
+  const std::size_t bracket = name.find('[');
+  if (bracket == std::string::npos) return std::vector<std::size_t>();
+  if (!name.ends_with(']')) return misplaced_shape(name);
+  const std::string shape = name.substr(bracket + 1, name.size() - bracket - 2);
+  name.resize(bracket);
+  return shape_in(shape, name);
+}
+
 // "touch[4x4]:counts=t00..t33+Fz", where shape and unit are optional.
 Result<CsvChannel> channel_of(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -65,13 +80,9 @@ Result<CsvChannel> channel_of(const std::string& text) {
   const std::size_t colon = std::min(head.find(':'), head.size());
   CsvChannel channel;
   channel.name = head.substr(0, colon);
-  const std::size_t bracket = channel.name.find('[');
-  if (bracket != std::string::npos && channel.name.ends_with(']')) {
-    const std::string shape = channel.name.substr(bracket + 1);
-    channel.name.resize(bracket);
-    SOMATO_TRY(channel.shape, shape_in(shape.substr(0, shape.size() - 1), channel.name));
-  }
   channel.unit = head.substr(std::min(colon + 1, head.size()));
+  SOMATO_TRY(channel.shape, shape_of_name(channel.name));
+  if (channel.unit.find('[') != std::string::npos) return misplaced_shape(text);
   channel.columns = split(text.substr(equals + 1), '+');
   return channel;
 }

@@ -105,7 +105,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
             LabelWarning: A label may mean that there is none.
         """
         X = self._rows(X, reset=True, least=2).filled()
-        labels = None if y is None else self._labels(y, X)
+        labels = None if y is None else self._labels_to_learn(y, X)
         trained = _somato.Map.train(self._map_parameters(), X, self._threads())
         self._forget()
         found = trained.quality(X, self._threads())
@@ -336,12 +336,16 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     def _rows(self, X, **how):
         return sample_rows_of(self, X, missing=self.missing, **how)
 
+    def _labels_to_learn(self, y, X):
+        return self._labels(y, X)
+
     def _labels(self, y, X):
         return labels_of(y, len(X), self.unlabelled, "y")
 
     def _check_labelled(self, method):
         if not hasattr(self, "classes_"):
-            raise UsageError("the neurons have no labels", f"SOM.{method}", "pass labels to fit as y")
+            raise UsageError("the neurons have no labels", f"{type(self).__name__}.{method}",
+                             "pass labels to fit as y")
 
     def _forget(self):
         """Removes what describes the samples of an earlier training."""

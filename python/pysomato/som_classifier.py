@@ -17,7 +17,7 @@ class SOMClassifier(ClassifierMixin, SOM):
     label are learned, and name no neuron.
 
     Attributes:
-        classes_: The labels, ascending.
+        classes_: The labels, ascending; after ``load`` texts, in the order of the model file.
     """
 
     def fit(self, X, y=None) -> "SOMClassifier":
@@ -35,9 +35,6 @@ class SOMClassifier(ClassifierMixin, SOM):
             raise UsageError("SOMClassifier requires y to be passed, but the target y is None",
                              "SOMClassifier.fit", "pass a label for each sample, or use SOM")
         super().fit(X, y)
-        if not hasattr(self, "classes_"):
-            del self.map_
-            raise DataError("no sample has a label", "SOMClassifier.fit(y)", "use SOM")
         known = self._classes_of_samples >= 0
         self._votes = np.zeros((self._n_features_out, len(self.classes_)), np.int64)
         np.add.at(self._votes, (self.winners_[known], self._classes_of_samples[known]), 1)
@@ -77,14 +74,20 @@ class SOMClassifier(ClassifierMixin, SOM):
     def _labels(self, y, X):
         """The labels in ascending order, as scikit-learn requires them."""
         labels = super()._labels(y, X)
-        with errors_of_sklearn("y", "pass texts or whole numbers"):
-            check_classification_targets(labels.names)
         try:
             names, places = np.unique(labels.names, return_inverse=True)
         except TypeError as error:
             raise DataTypeError("its labels cannot be ordered", "y",
                                 "use labels of one type, such as texts") from error
         return Labels(names, np.append(places, -1)[labels.numbers])  # -1 is no label in both
+
+    def _labels_to_learn(self, y, X):
+        labels = self._labels(y, X)
+        if not labels.known.any():
+            raise DataError("no sample has a label", "SOMClassifier.fit(y)", "use SOM")
+        with errors_of_sklearn("y", "pass texts or whole numbers"):
+            check_classification_targets(labels.names[labels.numbers[labels.known]])
+        return labels
 
     def _forget(self):
         super()._forget()

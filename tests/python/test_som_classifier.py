@@ -77,4 +77,13 @@ def test_what_is_no_class_is_refused(X):
         SOMClassifier().fit(X)
     with pytest.raises(ValueError, match="continuous"):
         SOMClassifier().fit(X, np.linspace(0.0, 1.0, len(X)))
+    with pytest.raises(TypeError, match="cannot be ordered"):
+        SOMClassifier().fit(X, ["a"] * 30 + [1] * 30)
     assert not hasattr(SOMClassifier(), "partial_fit")
+
+
+def test_many_classes_are_no_reason_to_warn(recwarn):
+    rows = np.random.default_rng(1).normal(size=(250, 3))
+    labels = np.arange(250) % 25
+    SOMClassifier(4, 4, iterations=100).fit(rows, labels).score(rows, labels)
+    assert not [str(one.message) for one in recwarn]

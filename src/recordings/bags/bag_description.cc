@@ -82,6 +82,10 @@ Result<BagChannel> parse_bag_channel(const std::string& text) {
   const std::size_t colon = std::min(sides->first.find(':'), sides->first.size());
   channel.name = sides->first.substr(0, colon);
   channel.unit = sides->first.substr(std::min(colon + 1, sides->first.size()));
+  if (sides->first.find_first_of("[]") != std::string::npos) {
+    return fail(ErrorKind::kUsage, fmt::format("{} has brackets before its topic", shown(text)),
+                "--channels", "write a shape in a description: shape = [4, 4]");
+  }
   channel.topic = source->first;
   channel.fields = split_outside_brackets(source->second, '+');
   return channel;

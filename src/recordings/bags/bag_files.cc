@@ -296,12 +296,11 @@ Result<std::unique_ptr<SortedBag>> open_bag(const BagLocation& bag,
 
 std::vector<std::string> remarks_on(const BagLocation& bag, const SortedBag& read) {
   BagCounts held;
-  for (std::size_t i = 0; i < read.messages_of_topics().size(); ++i) {
-    held.topics[read.topics()[i].name] += read.messages_of_topics()[i];
+  for (std::size_t i = 0; i < read.topics().size(); ++i) {
+    held.topics[read.topics()[i].name] += read.messages_of_topic(i);
   }
   for (std::size_t i = 0; i < bag.files.size(); ++i) {
-    const auto& messages = read.messages_of_files();
-    held.files[fs::path(bag.files[i]).filename().string()] = i < messages.size() ? messages[i] : 0;
+    held.files[fs::path(bag.files[i]).filename().string()] += read.messages_of_file(i);
   }
   std::vector<std::string> remarks = bag.remarks;
   for (std::string& sentence : differences(bag.metadata, held)) {

@@ -352,7 +352,7 @@ class BagReading {
     report.frames_outside += frames_outside_;
     for (std::size_t i = 0; i < uses_.size(); ++i) {
       if (!uses_[i].reason.empty())
-        add_left_out(report, i, source_->messages_of_topics()[i], uses_[i].reason);
+        add_left_out(report, i, source_->messages_of_topic(i), uses_[i].reason);
     }
     for (const auto& [of, messages] : without_elements_) {
       add_left_out(report, of.first, messages,

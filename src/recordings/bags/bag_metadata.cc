@@ -38,6 +38,7 @@ class MetadataLines {
   void take(std::string_view line) {
     std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
     line = trimmed(line);
+    if (line.empty() || line.starts_with('#')) return;
     const bool is_item = line.starts_with("- ");
     if (is_item) {
       line = trimmed(line.substr(2));

@@ -35,9 +35,9 @@ class SortedBag : public BagSource {
   Result<std::optional<BagMessage>> next() override;
   const std::vector<BagTopic>& topics() const override { return from_->topics(); }
 
-  /// The numbers of messages so far, by topic, and by file of the bag.
-  const std::vector<std::uint64_t>& messages_of_topics() const { return of_topics_; }
-  const std::vector<std::uint64_t>& messages_of_files() const { return of_files_; }
+  /// The number of messages so far of a topic, and of a file of the bag.
+  std::uint64_t messages_of_topic(std::size_t topic) const { return count_at(of_topics_, topic); }
+  std::uint64_t messages_of_file(std::size_t file) const { return count_at(of_files_, file); }
 
   /// The number of messages so far that were not in the order of their times, and were sorted.
   std::uint64_t displaced() const { return displaced_; }
@@ -54,6 +54,11 @@ class SortedBag : public BagSource {
     std::size_t topic = 0;
     std::string data;
   };
+
+  // Topics and files without a message may lie behind the last one with messages.
+  static std::uint64_t count_at(const std::vector<std::uint64_t>& counts, std::size_t at) {
+    return at < counts.size() ? counts[at] : 0;
+  }
 
   void take_next();
   void take(const BagMessage& message);

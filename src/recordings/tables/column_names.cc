@@ -11,9 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/text/text.h"
-#include "somato/core/value.h"
-
 namespace somato {
 namespace {
 
@@ -112,18 +109,11 @@ bool are_all(const std::vector<std::string>& names, const Numbered& first, const
   return static_cast<std::size_t>(between) == names.size();
 }
 
-Result<std::size_t> place_of(std::string_view name, const std::vector<std::string>& header) {
-  const auto found = std::find(header.begin(), header.end(), name);
-  if (found != header.end()) return static_cast<std::size_t>(found - header.begin());
-  return fail(ErrorKind::kData, fmt::format("there is no column {}", shown(name)), {},
-              name_advice(name, header));
-}
-
 Result<std::vector<std::size_t>> places_of(const std::vector<std::string>& names,
-                                           const std::vector<std::string>& header) {
+                                           const PlaceOfColumn& place_of) {
   std::vector<std::size_t> places;
   for (const std::string& name : names) {
-    SOMATO_TRY(const std::size_t place, place_of(name, header));
+    SOMATO_TRY(const std::size_t place, place_of(name));
     places.push_back(place);
   }
   return places;
@@ -140,20 +130,21 @@ bool is_column_range(std::string_view column) {
 }
 
 Result<std::vector<std::size_t>> columns_in_range(std::string_view range,
-                                                  const std::vector<std::string>& header) {
+                                                  const std::vector<std::string>& header,
+                                                  const PlaceOfColumn& place_of) {
   const Ends ends = ends_of(range).value();
   if (const auto numbers = numbered_ends(ends)) {
     const auto& [first, last] = *numbers;
     std::vector<std::string> names;
     SOMATO_TRY_VOID(add_range(range, first, last, names));
-    auto places = places_of(names, header);
+    auto places = places_of(names, place_of);
     if (places || !may_have_two_indices(first, last)) return places;
     names = names_of_two_indices(first, last);
-    auto of_two = places_of(names, header);
+    auto of_two = places_of(names, place_of);
     return of_two && are_all(names, first, last, header) ? of_two : places;
   }
-  SOMATO_TRY(const std::size_t first, place_of(ends.first, header));
-  SOMATO_TRY(const std::size_t last, place_of(ends.last, header));
+  SOMATO_TRY(const std::size_t first, place_of(std::string(ends.first)));
+  SOMATO_TRY(const std::size_t last, place_of(std::string(ends.last)));
   if (first > last) return no_range(range);
   std::vector<std::size_t> places(last - first + 1);
   std::iota(places.begin(), places.end(), first);

@@ -40,8 +40,9 @@ class ColumnFinder {
   }
 
   Result<CsvColumns> find() && {
-    Result<void> done = find_ignored();
-    if (done) done = find_trials();
+    Result<void> done = find_ignored().and_then([&] { return find_ranges(); }).and_then([&] {
+      return find_trials();
+    });
     for (std::size_t c = 0; done && c < layout_.channels.size(); ++c) done = find_channel(c);
     if (!done) return fail(std::move(done.error()));
     for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -60,21 +61,53 @@ class ColumnFinder {
       if (layout_.ignored.contains(names_[i])) ignore(i, names_[i]);
       if (is_at(number_of(i), i) && layout_.ignored.contains(number_of(i))) ignore(i, number_of(i));
     }
+    is_refused_ = is_ignored_;
     for (const std::string& pattern : layout_.ignored_patterns) {
-      SOMATO_TRY(const std::vector<std::size_t> places, places_of(pattern));
-      for (const std::size_t place : places) ignore(place, pattern);
+      if (!is_column_range(pattern)) {
+        ignore_fitting(pattern);
+      } else if (places_.contains(pattern)) {
+        ignore(places_.at(pattern), pattern);
+      } else {
+        SOMATO_TRY(const std::vector<std::size_t> places, places_in(pattern));
+        for (const std::size_t place : places) {
+          ignore(place, pattern);
+          is_refused_[place] = true;
+        }
+      }
     }
     return {};
   }
 
-  // The columns that match a pattern, or lie in a range.
-  Result<std::vector<std::size_t>> places_of(const std::string& pattern) const {
-    if (is_column_range(pattern)) return columns_in_range(pattern, names_);
-    std::vector<std::size_t> places;
+  void ignore_fitting(const std::string& pattern) {
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (fits_column_pattern(pattern, names_[i])) places.push_back(i);
+      if (fits_column_pattern(pattern, names_[i])) ignore(i, pattern);
     }
-    return places;
+  }
+
+  Result<std::vector<std::size_t>> places_in(const std::string& range) const {
+    return columns_in_range(range, names_, [&](const std::string& name) -> Result<std::size_t> {
+      const auto place = places_.find(name);
+      if (place == places_.end()) return fail(std::move(missing(name).error()));
+      return place->second;
+    });
+  }
+
+  // A column may have a name like a range.
+  bool is_range(const std::string& entry) const {
+    return is_column_range(entry) && !places_.contains(entry);
+  }
+
+  // The columns of ranges are named, so that patterns do not match them.
+  Result<void> find_ranges() {
+    is_in_range_.resize(names_.size());
+    for (const auto& channel : layout_.channels) {
+      for (const std::string& entry : channel) {
+        if (!is_range(entry)) continue;
+        SOMATO_TRY(const std::vector<std::size_t> places, places_in(entry));
+        for (const std::size_t place : places) is_in_range_[place] = true;
+      }
+    }
+    return {};
   }
 
   void ignore(std::size_t column, const std::string& entry) {
@@ -105,11 +138,16 @@ class ColumnFinder {
     bool patterns = false;
     for (const std::string& entry : layout_.channels[channel]) {
       const CsvColumn next{CsvUse::kValue, channel, columns.size()};
-      const bool pattern = is_column_pattern(entry);
-      auto taken = pattern ? take_fitting(entry, next, columns) : take_named(entry, next);
-      if (!taken) return taken;
-      if (!pattern) columns.push_back(names_[places_.at(entry)]);
-      patterns = patterns || pattern;
+      const bool is_pattern = is_column_pattern(entry) && !is_column_range(entry);
+      if (is_pattern) {
+        SOMATO_TRY_VOID(take_fitting(entry, next, columns));
+      } else if (is_range(entry)) {
+        SOMATO_TRY_VOID(take_range(entry, next, columns));
+      } else {
+        SOMATO_TRY_VOID(take_named(entry, next));
+        columns.push_back(names_[places_.at(entry)]);
+      }
+      patterns = patterns || is_pattern || is_range(entry);
     }
     if (!patterns) return {};
     return check_csv_shape(description_.channels[channel], columns.size());
@@ -118,13 +156,34 @@ class ColumnFinder {
   Result<void> take_named(const std::string& name, CsvColumn column) {
     const auto place = places_.find(name);
     if (place == places_.end()) return missing(name);
-    if (found_.columns[place->second].use != CsvUse::kNothing) {
+    return take_place(place->second, column);
+  }
+
+  Result<void> take_place(std::size_t place, CsvColumn column) {
+    if (is_refused_[place]) {
+      return fail(ErrorKind::kData,
+                  fmt::format("column {} is both used and ignored", shown(names_[place])), {},
+                  "remove one of them");
+    }
+    if (found_.columns[place].use != CsvUse::kNothing) {
       return fail(
           ErrorKind::kData,
-          fmt::format("column {} is mentioned twice, by name and by number", place->second + 1), {},
-          "mention it once");
+          fmt::format("column {} is mentioned twice, by name, number or range",
+                      is_nameless(names_[place], place) ? number_of(place) : shown(names_[place])),
+          {}, "mention it once");
     }
-    found_.columns[place->second] = column;
+    found_.columns[place] = column;
+    return {};
+  }
+
+  Result<void> take_range(const std::string& range, CsvColumn next,
+                          std::vector<std::string>& columns) {
+    SOMATO_TRY(const std::vector<std::size_t> places, places_in(range));
+    for (const std::size_t place : places) {
+      next.element = columns.size();
+      SOMATO_TRY_VOID(take_place(place, next));
+      columns.push_back(names_[place]);
+    }
     return {};
   }
 
@@ -132,11 +191,10 @@ class ColumnFinder {
                             std::vector<std::string>& columns) {
     const std::size_t before = columns.size();
     bool fits = false;
-    SOMATO_TRY(const std::vector<std::size_t> places, places_of(pattern));
-    for (const std::size_t i : places) {
-      if (is_nameless(names_[i], i)) continue;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (!fits_column_pattern(pattern, names_[i]) || is_nameless(names_[i], i)) continue;
       fits = true;
-      if (is_ignored_[i] || layout_.named.contains(names_[i])) continue;
+      if (is_ignored_[i] || is_in_range_[i] || layout_.named.contains(names_[i])) continue;
       CsvColumn& column = found_.columns[i];
       if (column.use == CsvUse::kValue && column.channel == next.channel) continue;
       if (column.use == CsvUse::kValue) return taken_twice(names_[i], column.channel, next.channel);
@@ -185,6 +243,8 @@ class ColumnFinder {
   const std::vector<std::string>& names_;
   std::map<std::string, std::size_t> places_;
   std::vector<bool> is_ignored_;
+  std::vector<bool> is_refused_;   // those of them that are ignored by name, number or range
+  std::vector<bool> is_in_range_;  // of a channel
   CsvColumns found_;
 };
 

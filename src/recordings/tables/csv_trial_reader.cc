@@ -229,14 +229,19 @@ class TrialReader {
     const auto [changed, before] =
         std::mismatch(labels_.begin(), labels_.end(), parts_.back().values.begin());
     const std::string& name = trials.labels[static_cast<std::size_t>(changed - labels_.begin())];
-    return fail(
-        ErrorKind::kData,
-        fmt::format("the label '{}' changes within {}", name,
-                    trials.exploration.empty() ? "the file" : "an exploration"),
-        line_place(),
-        fmt::format("divide it where the label changes: exploration = \"{}\"; or into windows: "
-                    "window = 500; or into rows: rows = \"explorations\"",
-                    name));
+    if (!trials.exploration.empty()) {
+      return fail(ErrorKind::kData,
+                  fmt::format("the label '{}' changes within an exploration, in which '{}' is {}",
+                              name, trials.exploration, shown(exploration_)),
+                  line_place(),
+                  "divide the file at a column that numbers the explorations, or leave the label "
+                  "out");
+    }
+    return fail(ErrorKind::kData, fmt::format("the label '{}' changes within the file", name),
+                line_place(),
+                fmt::format("divide it where the label changes: exploration = \"{}\"; or into "
+                            "windows: window = 500; or into rows: rows = \"explorations\"",
+                            name));
   }
 
   Result<void> read_value(const CsvField& field, const CsvColumn& slot) {

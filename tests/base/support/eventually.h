@@ -8,7 +8,7 @@ namespace somato::testing {
 
 /// Looks every 5 ms until it holds: true then, and false after two minutes, longer than a slow
 /// machine takes for what a test waits for.
-inline bool eventually(const std::function<bool()>& holds) {
+[[nodiscard]] inline bool eventually(const std::function<bool()>& holds) {
   constexpr auto kPatience = std::chrono::minutes(2);
   const auto end = std::chrono::steady_clock::now() + kPatience;
   while (!holds()) {

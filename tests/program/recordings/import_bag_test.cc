@@ -53,6 +53,7 @@ TEST_F(ImportBag, AnImportThatFailsWritesNoFile) {
   expect_refused(2, import({"--channels", "touch=/skin:y"}), {"/skin", "unknown field 'y'"});
   expect_refused(2, import({"--channels", "touch=/skim:x"}), {"/skin"});
   expect_refused(2, import({"--channels", "touch=x"}), {"--channels"});
+  expect_refused(2, import({"--channels", "touch[2x2]:N=/skin:x"}), {"brackets", "shape = [4, 4]"});
 }
 
 TEST_F(ImportBag, InspectListsTopicsThatAreNoChannels) {

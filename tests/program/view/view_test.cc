@@ -161,7 +161,7 @@ TEST_F(View, OpensABrowserWithoutTheTokenInItsArguments) {
   std::string address;
   world.before_interrupt = [&](const std::string& said) {
     address = said.substr(5, said.find('\n') - 5);
-    testing::eventually([&] { return std::filesystem::exists(path("opened.html")); });
+    EXPECT_TRUE(testing::eventually([&] { return std::filesystem::exists(path("opened.html")); }));
   };
   const ProgramRun done = run({"view", "--demo", "--body", "hardness", "--open"}, world);
   if (has_no_pages(done)) {

@@ -10,6 +10,7 @@
 
 #include "base/support/temporary_folder.h"
 #include "recordings/bags/made_bag.h"
+#include "recordings/bags/made_sqlite_bag.h"
 #include "recordings/explorations/collected_explorations.h"
 #include "recordings/file/ros_messages.h"
 
@@ -211,6 +212,21 @@ TEST_F(BagImportTest, FramesOfAnotherLengthAreRefused) {
 
 // Messages of /joints, each of the joints with these names; the position of a joint is that of its
 // letter in the alphabet plus the number of the message / 100.
+// A bag in SQLite lists its topics at its start, used or not, such as /rosout.
+TEST_F(BagImportTest, UnusedTopicsAtTheEndAreCountedAsEmpty) {
+  const std::string path = folder_.file("b.db3");
+  {
+    MadeSqliteBag made(path, "/x", "a/msg/X", "float64[] x\n");
+    made.add_unused_topic("/rosout", "a/msg/Log");
+    for (int i = 0; i < 3; ++i) made.add(1'000'000 * i, numbers_message({1.0 * i, 2.0}));
+  }
+  const Imported result = imported(path, description_);
+  ASSERT_TRUE(result.report) << to_string(result.report.error());
+  ASSERT_EQ(result.report->left_out.size(), 1U);
+  EXPECT_EQ(result.report->left_out[0].topic, "/rosout");
+  EXPECT_EQ(result.report->left_out[0].messages, 0U);
+}
+
 class NamedJointsTest : public ::testing::Test {
  protected:
   struct Sent {

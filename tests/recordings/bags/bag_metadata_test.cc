@@ -35,6 +35,18 @@ TEST(BagMetadata, FilesAndNumbersOfMessagesAreRead) {
 }
 
 // Programs that sort the keys of YAML write the number of messages before the name.
+TEST(BagMetadata, EmptyLinesAndCommentsChangeNothing) {
+  for (const std::string between : {"\n", "# the second half\n", "  # half\n", "   \n"}) {
+    std::string text;
+    for (const char c : kText) text += c == '\n' ? "\n" + between : std::string(1, c);
+    const BagMetadata metadata = parse_bag_metadata(text);
+    EXPECT_EQ(metadata.files, (std::vector<std::string>{"b_0.mcap", "b_1.mcap"})) << between;
+    EXPECT_EQ(metadata.messages,
+              (std::map<std::string, std::uint64_t>{{"/joint_states", 40}, {"/touch", 30}}));
+    EXPECT_EQ(metadata.messages_of_files, (std::map<std::string, std::uint64_t>{{"b_0.mcap", 50}}));
+  }
+}
+
 TEST(BagMetadata, KeysHaveAnyOrder) {
   const BagMetadata metadata = parse_bag_metadata(
       "rosbag2_bagfile_information:\n  files:\n  - message_count: 20\n    path: b_0.mcap\n"

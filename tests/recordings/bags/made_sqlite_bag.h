@@ -40,6 +40,11 @@ class MadeSqliteBag {
     (void)sqlite3_finalize(row);
   }
 
+  /// A topic without messages, behind the other one.
+  void add_unused_topic(const std::string& name, const std::string& type) {
+    run("INSERT INTO topics VALUES(8, '" + name + "', '" + type + "', 'cdr')");
+  }
+
   void run(const std::string& statement) {
     (void)sqlite3_exec(database_, statement.c_str(), nullptr, nullptr, nullptr);
   }

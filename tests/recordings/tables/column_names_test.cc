@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -67,7 +68,12 @@ TEST(IsColumnPattern, LooksForAStarOrARange) {
 
 // The names of the columns, or the error.
 Names in_range(const std::string& range, const Names& header) {
-  const auto places = columns_in_range(range, header);
+  const auto places =
+      columns_in_range(range, header, [&](const std::string& name) -> Result<std::size_t> {
+        const auto found = std::find(header.begin(), header.end(), name);
+        if (found != header.end()) return static_cast<std::size_t>(found - header.begin());
+        return fail(ErrorKind::kData, "there is no column '" + name + "'");
+      });
   if (!places) return {places.error().what};
   Names names;
   for (const std::size_t place : *places) names.push_back(header[place]);

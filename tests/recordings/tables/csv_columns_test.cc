@@ -54,6 +54,43 @@ TEST_F(FindCsvColumns, TakesAColumnOnceInAChannel) {
   EXPECT_EQ(find({"x", "a1", "b", "a2"})->channels, (std::vector<Names>{{"b", "a1", "a2", "x"}}));
 }
 
+// A range is a list of names: a pattern leaves its columns out, and none of them is taken twice.
+TEST_F(FindCsvColumns, TakesTheColumnsOfARange) {
+  const Names glove{"t", "thumb", "ring", "pinky", "b00", "b01", "b10", "b11", "Force..N."};
+  plan_.channels = {channel_of("rest", {"*"}), channel_of("hand", {"thumb..pinky"}),
+                    channel_of("pad", {"b00..b11"}), channel_of("force", {"Force..N."})};
+  EXPECT_EQ(find(glove)->channels,
+            (std::vector<Names>{
+                {"t"}, {"thumb", "ring", "pinky"}, {"b00", "b01", "b10", "b11"}, {"Force..N."}}));
+  for (const auto& columns : {Names{"thumb..pinky", "ring"}, Names{"b00..b11", "b10"},
+                              Names{"ring", "thumb..pinky"}, Names{"thumb..ring", "ring..pinky"}}) {
+    plan_.channels = {channel_of("touch", columns)};
+    EXPECT_NE(refusal(glove).find("is mentioned twice"), std::string::npos) << refusal(glove);
+  }
+  plan_.channels = {channel_of("touch", {"thumb..pinky"})};
+  for (const char* ignored : {"ring", "ring..pinky"}) {
+    plan_.trials.ignore = {ignored};
+    EXPECT_EQ(refusal(glove), "column 'ring' is both used and ignored; remove one of them");
+  }
+  plan_.trials.ignore = {"b00..b11", "Force..N."};
+  plan_.channels = {channel_of("rest", {"*"})};
+  EXPECT_EQ(find(glove)->channels, (std::vector<Names>{{"t", "thumb", "ring", "pinky"}}));
+}
+
+TEST_F(FindCsvColumns, RangesOfNumbersTakeColumnsWithoutNames) {
+  Names header{"a", "b"};
+  for (int column = 3; column <= 30; ++column) {
+    header.push_back("(column " + std::to_string(column) + ")");
+  }
+  plan_.channels = {channel_of("first", {"a", "b"}), channel_of("more", {"10..26"})};
+  plan_.trials.ignore = {"3..9", "27..30"};
+  const CsvColumns found = find(header).value();
+  EXPECT_EQ(found.channels.at(1).size(), 17U);
+  EXPECT_EQ(found.columns[9].use, CsvUse::kValue);
+  EXPECT_EQ(found.columns[25].use, CsvUse::kValue);
+  EXPECT_EQ(found.columns[26].use, CsvUse::kNothing);
+}
+
 TEST_F(FindCsvColumns, RefusesAColumnThatTwoChannelsTake) {
   plan_.channels = {channel_of("touch", {"*1"}), channel_of("force", {"a*"})};
   EXPECT_EQ(refusal({"a2", "a1"}),

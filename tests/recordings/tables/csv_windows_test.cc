@@ -270,7 +270,8 @@ TEST_F(ImportTable, ALabelDividesFilesWhereItChanges) {
     EXPECT_EQ(std::vector<float>(found.begin(), found.end()), values[i]);
   }
   folder_.with("t.csv", "hand,object,x\nleft,a,1\nright,a,2\n");
-  EXPECT_TRUE(refusal().starts_with("t.csv:3: the label 'hand' changes within an exploration"))
+  EXPECT_TRUE(refusal().starts_with(
+      "t.csv:3: the label 'hand' changes within an exploration, in which 'object' is 'a'; divide"))
       << refusal();
   plan_.trials.labels = {"object", "object"};
   EXPECT_NE(refusal().find("there are two labels 'object'"), std::string::npos) << refusal();

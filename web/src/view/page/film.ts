@@ -46,7 +46,13 @@ export class FilmButtons {
       this.show();
       saveFile(`${this.stem()}.webm`, new Blob(parts, { type: "video/webm" }));
     });
-    recorder.start();
+    try {
+      recorder.start();
+    } catch {
+      this.end(stream);
+      this.model.problem.set("The browser did not record this tab; press Record film again");
+      return;
+    }
     this.recorder = recorder;
     this.show();
   }
@@ -57,7 +63,7 @@ export class FilmButtons {
     try {
       saveFile(`${this.stem()}.png`, await firstPicture(stream));
     } catch {
-      this.model.problem.set("The browser did not capture a picture of this tab");
+      this.model.problem.set("The browser did not capture a picture of this tab; press Save picture again while the tab is visible");
     } finally {
       this.end(stream);
     }
