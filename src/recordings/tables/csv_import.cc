@@ -87,8 +87,7 @@ const Declarations<CsvTrials>& CsvTrials::declarations() {
           .add("exploration", &P::exploration, "", Range::any(),
                "Column whose value is the same in consecutive rows of an exploration, such as its "
                "number: a file is divided where it changes. It is a label only if 'labels' lists "
-               "it; "
-               "empty: files are not divided.")
+               "it; empty: files are not divided.")
           .add("window", &P::window, "", Range::at_least(1),
                "Number of rows of the explorations into which a file is cut; rows of an incomplete "
                "window are left out and counted. automatic: all rows of a file form one "
