@@ -92,19 +92,16 @@ class ColumnFinder {
     });
   }
 
-  // A column may have a name like a range.
-  bool is_range(const std::string& entry) const {
-    return is_column_range(entry) && !places_.contains(entry);
-  }
-
-  // The columns of ranges are named, so that patterns do not match them.
+  // The columns of ranges are named, so that patterns do not match them. A column may have a name
+  // like a range.
   Result<void> find_ranges() {
     is_in_range_.resize(names_.size());
     for (const auto& channel : layout_.channels) {
       for (const std::string& entry : channel) {
-        if (!is_range(entry)) continue;
-        SOMATO_TRY(const std::vector<std::size_t> places, places_in(entry));
+        if (!is_column_range(entry) || places_.contains(entry)) continue;
+        SOMATO_TRY(std::vector<std::size_t> places, places_in(entry));
         for (const std::size_t place : places) is_in_range_[place] = true;
+        ranges_[entry] = std::move(places);
       }
     }
     return {};
@@ -138,16 +135,17 @@ class ColumnFinder {
     bool patterns = false;
     for (const std::string& entry : layout_.channels[channel]) {
       const CsvColumn next{CsvUse::kValue, channel, columns.size()};
-      const bool is_pattern = is_column_pattern(entry) && !is_column_range(entry);
-      if (is_pattern) {
+      const auto range = ranges_.find(entry);
+      if (range != ranges_.end()) {
+        SOMATO_TRY_VOID(take_range(range->second, next, columns));
+      } else if (is_column_pattern(entry) && !is_column_range(entry)) {
         SOMATO_TRY_VOID(take_fitting(entry, next, columns));
-      } else if (is_range(entry)) {
-        SOMATO_TRY_VOID(take_range(entry, next, columns));
       } else {
         SOMATO_TRY_VOID(take_named(entry, next));
         columns.push_back(names_[places_.at(entry)]);
+        continue;
       }
-      patterns = patterns || is_pattern || is_range(entry);
+      patterns = true;
     }
     if (!patterns) return {};
     return check_csv_shape(description_.channels[channel], columns.size());
@@ -176,9 +174,8 @@ class ColumnFinder {
     return {};
   }
 
-  Result<void> take_range(const std::string& range, CsvColumn next,
+  Result<void> take_range(const std::vector<std::size_t>& places, CsvColumn next,
                           std::vector<std::string>& columns) {
-    SOMATO_TRY(const std::vector<std::size_t> places, places_in(range));
     for (const std::size_t place : places) {
       next.element = columns.size();
       SOMATO_TRY_VOID(take_place(place, next));
@@ -243,8 +240,9 @@ class ColumnFinder {
   const std::vector<std::string>& names_;
   std::map<std::string, std::size_t> places_;
   std::vector<bool> is_ignored_;
-  std::vector<bool> is_refused_;   // those of them that are ignored by name, number or range
-  std::vector<bool> is_in_range_;  // of a channel
+  std::vector<bool> is_refused_;  // those of them that are ignored by name, number or range
+  std::map<std::string, std::vector<std::size_t>> ranges_;  // of channels
+  std::vector<bool> is_in_range_;                           // one of these
   CsvColumns found_;
 };
 
