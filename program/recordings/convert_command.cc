@@ -49,7 +49,7 @@ class StoppableExplorations final : public FrameSink {
 };
 
 Result<void> convert_folder(const std::string& path, FrameSink& to) {
-  SOMATO_TRY(const Recording recording, read_study_data(RecordingFormat::kAutomatic, path));
+  SOMATO_TRY(const Recording recording, read_study_data({}, path));
   SOMATO_TRY_VOID(validate(recording));
   for (const Exploration& exploration : recording.explorations) {
     SOMATO_TRY_VOID(hand_frames(exploration, to));

@@ -50,8 +50,8 @@ Result<NamedFile> read_file_or_own(const std::string& name) {
   });
 }
 
-Result<Recording> read_study_data(RecordingFormat format, const std::string& path) {
-  auto recording = load_recording(format, path);
+Result<Recording> read_study_data(const RecordingParameters& parameters, const std::string& path) {
+  auto recording = load_recording(parameters, path);
   if (!recording) return fail(with_place(std::move(recording.error()), path));
   if (auto valid = validate(*recording); !valid) {
     return fail(with_place(std::move(valid.error()), path));

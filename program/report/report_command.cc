@@ -64,10 +64,13 @@ Result<std::optional<std::string>> named_model(const Arguments& arguments) {
   return load_system(path).map([&](const SystemModel&) { return std::optional(path); });
 }
 
-Result<ReportRecordings> recordings_for(const Arguments& arguments) {
+Result<ReportRecordings> recordings_for(const Arguments& arguments,
+                                        const std::vector<ReportFile>& files) {
   ReportRecordings recordings;
   if (arguments.has("data")) {
-    SOMATO_TRY_VOID(recordings.add_named(arguments.text("data")));
+    const std::string path = arguments.text("data");
+    SOMATO_TRY_VOID(is_table(path) ? recordings.add_table(path, files)
+                                   : recordings.add_named(path));
   }
   for (const std::string& path : arguments.lists.at("RESULTS")) recordings.add_beside(path);
   return recordings;
@@ -76,7 +79,7 @@ Result<ReportRecordings> recordings_for(const Arguments& arguments) {
 Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& files) {
   SOMATO_TRY(const auto threads, read_threads(arguments));
   SOMATO_TRY(const auto named, named_model(arguments));
-  SOMATO_TRY(auto recordings, recordings_for(arguments));
+  SOMATO_TRY(auto recordings, recordings_for(arguments, files));
   SOMATO_TRY(auto things, report_things());
   const ReportSources sources{SOMATO_VERSION,
                               [&](const std::string& hash) { return recordings.find(hash); },
@@ -137,7 +140,8 @@ Command report_command() {
       {output_flag("-o,--output", "File for the page, such as report.html", true),
        input_flag("--data",
                   "Recordings on which the results are based, in addition to those in the folders "
-                  "of RESULTS: a file, a folder of files, a data set, or a folder of data sets"),
+                  "of RESULTS: a file, a folder of files, a data set, a folder of data sets, or a "
+                  "table"),
        input_flag("--model",
                   "The trained system that RESULTS name, if it is no longer in their folder"),
        threads_flag()},

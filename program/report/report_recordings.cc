@@ -4,6 +4,10 @@
 #include <memory>
 #include <system_error>
 
+#include "base/core/contains.h"
+#include "base/files/toml_file.h"
+#include "somato/studies/study_parameters.h"
+
 namespace somato::program {
 
 Result<void> ReportRecordings::add_named(const std::string& path) {
@@ -11,6 +15,23 @@ Result<void> ReportRecordings::add_named(const std::string& path) {
   given_.push_back(std::move(given));
   for (std::size_t i = 0; i < given_.back().count(); ++i) {
     SOMATO_TRY_VOID(look_at({given_.size() - 1, i}));
+  }
+  return {};
+}
+
+Result<void> ReportRecordings::add_table(const std::string& path,
+                                         const std::vector<ReportFile>& files) {
+  std::vector<RecordingParameters> ways;
+  for (const ReportFile& file : files) {
+    for (const PartResults& part : file.results.parts) {
+      SOMATO_TRY(const auto table, parse_toml(part.study, file.path));
+      SOMATO_TRY(const auto study, read_study(table));
+      if (!contains(ways, study.recording)) ways.push_back(study.recording);
+    }
+  }
+  for (const RecordingParameters& way : ways) {
+    given_.push_back(GivenRecordings::one(path, way));
+    SOMATO_TRY_VOID(look_at({given_.size() - 1, 0}));
   }
   return {};
 }

@@ -11,6 +11,7 @@
 #include "reproduce/reproduction_recordings.h"
 #include "somato/core/result.h"
 #include "somato/recording/recording.h"
+#include "views/report/report.h"
 
 namespace somato::program {
 
@@ -23,6 +24,10 @@ class ReportRecordings {
   /// Adds a recording, a folder of recordings, or data sets named by the user, which are searched
   /// first. Errors: those of GivenRecordings::at() and of reading them.
   Result<void> add_named(const std::string& path);
+
+  /// Adds a table named by the user, as each of the results' studies reads it. Errors: those of
+  /// reading it.
+  Result<void> add_table(const std::string& path, const std::vector<ReportFile>& files);
 
   /// Adds recordings_beside(): unreadable ones are skipped, and each is only read when it is
   /// needed.

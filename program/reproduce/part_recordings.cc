@@ -39,7 +39,7 @@ Result<void> read_threads_and_data(const Arguments& arguments, PairsRequest& req
     request.given = std::move(given);
   }
   if (!arguments.has("test-data")) return {};
-  SOMATO_TRY(auto test, read_given(RecordingFormat::kAutomatic, arguments.text("test-data")));
+  SOMATO_TRY(auto test, read_given({}, arguments.text("test-data")));
   request.test_data = std::make_shared<const PairedRecording>(std::move(test));
   return {};
 }

@@ -99,8 +99,9 @@ std::vector<std::filesystem::path> sorted_entries(const std::filesystem::path& f
 
 }  // namespace
 
-Result<PairedRecording> read_given(RecordingFormat format, const std::string& path) {
-  return read_study_data(format, path).map([&](Recording recording) {
+Result<PairedRecording> read_given(const RecordingParameters& parameters,
+                                   const std::string& path) {
+  return read_study_data(parameters, path).map([&](Recording recording) {
     return paired(last_part(path), "given", 0, std::move(recording));
   });
 }
@@ -183,7 +184,7 @@ Result<GivenRecordings> GivenRecordings::at(const std::filesystem::path& path) {
   // A folder of data sets of one kind has the same structure as one of them, but cannot be read as
   // such.
   const bool whole = std::filesystem::is_regular_file(path) ||
-                     (!given.places_.empty() && load_recording(given.places_[0].format, path));
+                     (!given.places_.empty() && load_recording(given.places_[0].parameters, path));
   GivenRecordings within;
   if (!whole) {
     for (const auto& entry : sorted_entries(path)) within.add(entry);
@@ -195,9 +196,10 @@ Result<GivenRecordings> GivenRecordings::at(const std::filesystem::path& path) {
       "'somato inspect' identifies a file; 'somato import' converts other files to recordings");
 }
 
-GivenRecordings GivenRecordings::one(const std::filesystem::path& path, RecordingFormat format) {
+GivenRecordings GivenRecordings::one(const std::filesystem::path& path,
+                                     RecordingParameters parameters) {
   GivenRecordings given;
-  given.places_.push_back({path, format});
+  given.places_.push_back({path, std::move(parameters)});
   return given;
 }
 
@@ -211,16 +213,17 @@ GivenRecordings GivenRecordings::files_in(const std::filesystem::path& folder) {
 
 void GivenRecordings::add(const std::filesystem::path& place) {
   if (std::filesystem::is_regular_file(place)) {
-    if (is_mcap_file(place.string())) places_.push_back({place, RecordingFormat::kAutomatic});
+    if (is_mcap_file(place.string())) places_.push_back({place, {}});
     return;
   }
-  if (auto format = recognize_format(place)) places_.push_back({place, *format});
+  const auto format = recognize_format(place);
+  if (format) places_.push_back({place, {.format = *format}});
 }
 
 std::vector<std::size_t> GivenRecordings::of_format(RecordingFormat format) const {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (places_[i].format == format) numbers.push_back(i);
+    if (places_[i].parameters.format == format) numbers.push_back(i);
   }
   return numbers;
 }
@@ -229,7 +232,7 @@ Result<KeptRecordings::Kept> GivenRecordings::get(std::size_t number) {
   const std::string key = std::to_string(number);
   if (auto kept = kept_.find(key)) return kept;
   const Place& place = places_[number];
-  return read_given(place.format, place.path.string()).map([&](PairedRecording recording) {
+  return read_given(place.parameters, place.path.string()).map([&](PairedRecording recording) {
     return kept_.keep(key, std::move(recording));
   });
 }

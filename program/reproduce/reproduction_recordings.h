@@ -17,7 +17,7 @@
 namespace somato::program {
 
 /// A given recording: read_study_data() of a path, named by the path's last part.
-Result<PairedRecording> read_given(RecordingFormat format, const std::string& path);
+Result<PairedRecording> read_given(const RecordingParameters& parameters, const std::string& path);
 
 /// Caches recordings, as long as they are small in total: several systems run on the same ones.
 class KeptRecordings {
@@ -69,8 +69,8 @@ class GivenRecordings {
   /// Searches the path. Errors: kSystem for a path that cannot be read; kData without recordings.
   static Result<GivenRecordings> at(const std::filesystem::path& path);
 
-  /// The recording at a path, in a known format; get() reads it.
-  static GivenRecordings one(const std::filesystem::path& path, RecordingFormat format);
+  /// The recording at a path, which is known to be one; get() reads it.
+  static GivenRecordings one(const std::filesystem::path& path, RecordingParameters parameters);
 
   /// Only the recordings' files in a folder.
   static GivenRecordings files_in(const std::filesystem::path& folder);
@@ -86,7 +86,7 @@ class GivenRecordings {
  private:
   struct Place {
     std::filesystem::path path;
-    RecordingFormat format;  ///< kAutomatic for a recording's file.
+    RecordingParameters parameters;  ///< With kAutomatic for a recording's file.
   };
 
   /// Whether it is a recording or a known data set.

@@ -70,7 +70,9 @@ Result<void> apply(const Arguments& arguments) {
   auto map = answering_map(model);
   if (!map) map.error().where = arguments.text("SYSTEM");
   if (!map) return fail(std::move(map.error()));
-  SOMATO_TRY(const auto recording, read_study_data(format, data));
+  RecordingParameters how = recording_for(model, data);
+  how.format = format;
+  SOMATO_TRY(const auto recording, read_study_data(how, data));
   SOMATO_TRY_VOID(check_fit(model.system, recording, data));
   SOMATO_TRY(const auto given, answers(model, recording, threads));
   const Grid grid = grid_of(model.system, *map);
@@ -93,7 +95,10 @@ Command apply_command() {
   return {"apply",
           "Apply a trained system to the explorations of a recording",
           {{"SYSTEM", "Trained system, saved by 'somato run'", true},
-           {"DATA", "Recording: its file, or a folder of original files", true}},
+           {"DATA",
+            "Recording: its file, a folder of original files, or a table, which is read as the one "
+            "of the system's training, with columns selected by name",
+            true}},
           {output_flag("-o,--output", "CSV file for the results. Default: standard output"),
            {"--json", "Write JSON instead of CSV", false, false},
            {"--format", "Format of the original files, if it cannot be detected"},

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/files/whole_file.h"
 #include "flags/commands.h"
@@ -16,6 +19,24 @@ namespace {
 
 std::string figure(const std::string& name, const std::optional<double>& value) {
   return value ? fmt::format("  {:<34}{:.3f}\n", name, *value) : std::string();
+}
+
+// The elements that differ most between the classes, in the order of their shares.
+std::string ranking_of(const LabelInformation& about, const std::vector<std::string>& names) {
+  constexpr std::size_t kMostShown = 12;
+  std::vector<std::size_t> order(names.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t element) {
+    return std::pair(-about.explained[element], element);
+  });
+  std::string text = "  share of the variance of an element between the classes\n";
+  for (std::size_t i = 0; i < std::min(order.size(), kMostShown); ++i) {
+    text += "  " + figure(names[order[i]], about.explained[order[i]]);
+  }
+  if (order.size() > kMostShown) {
+    text += fmt::format("    and {} other elements\n", order.size() - kMostShown);
+  }
+  return text;
 }
 
 std::string text_of(const LabelInformation& about) {
@@ -44,7 +65,9 @@ std::string text_of(const Information& information) {
   std::string text =
       fmt::format("{}: {} explorations, vectors of {} elements from '{}'\n", information.study,
                   information.explorations, information.elements, information.module);
-  for (const LabelInformation& about : information.labels) text += text_of(about);
+  for (const LabelInformation& about : information.labels) {
+    text += text_of(about) + ranking_of(about, information.element_names);
+  }
   return text + (information.order ? text_of(*information.order, information.parameters) : "");
 }
 
@@ -58,7 +81,8 @@ Result<Information> measure(const Arguments& arguments) {
   SOMATO_TRY(auto parameters, read_flags<InformationParameters>(arguments));
   SOMATO_TRY(auto threads, read_threads(arguments));
   SOMATO_TRY(auto description, read_requested_study(arguments));
-  SOMATO_TRY(auto recording, read_study_data(description.recording.format, arguments.text("data")));
+  if (!arguments.has("labels")) parameters.labels = {description.study.label};
+  SOMATO_TRY(auto recording, read_study_data(description.recording, arguments.text("data")));
   auto information = measure_information(description, recording, parameters, threads);
   if (!information) return fail(with_place(std::move(information.error()), arguments.text("data")));
   return information;

@@ -25,6 +25,7 @@
 #include "studies/run/winners_picture.h"
 #include "study/explanation.h"
 #include "study/study_table.h"
+#include "study/table_data.h"
 #include "terminal/terminal.h"
 
 namespace somato::program {
@@ -44,6 +45,22 @@ Result<void> read_file(const NamedFile& file, ReproductionPlan& plan) {
   return {};
 }
 
+// A description that flags change is saved as it is then, not as in its file.
+Result<void> read_table_flags(const Arguments& arguments, ReproductionPlan& plan) {
+  for (ReproductionPart& part : plan.parts) {
+    StudyDescription& description = part.description;
+    SOMATO_TRY(const bool changes, read_table_data(arguments, description.recording));
+    if (!changes) continue;
+    description.text.clear();
+    const bool relabels = arguments.has("label-column") || arguments.has("labels");
+    if (!relabels || !arguments.has("data")) continue;
+    SOMATO_TRY(const auto table, read_study_data(description.recording, arguments.text("data")));
+    description.study.label =
+        label_of_table(description.recording, table, description.study.label);
+  }
+  return {};
+}
+
 // The study of the file, which comes first, and its variations.
 Result<ReproductionPlan> read_study_plan(const Arguments& arguments) {
   SOMATO_TRY(auto seeds, arguments.number("seeds", 1));
@@ -51,6 +68,7 @@ Result<ReproductionPlan> read_study_plan(const Arguments& arguments) {
   ReproductionPlan plan;
   SOMATO_TRY_VOID(read_file(file, plan));
   if (seeds) plan.parts.front().description.study.seeds = *seeds;
+  SOMATO_TRY_VOID(read_table_flags(arguments, plan));
   return plan;
 }
 
@@ -81,7 +99,7 @@ Result<void> explain(const Arguments& arguments, const StudyDescription& descrip
   RecordingLayout layout;
   if (arguments.has("data")) {
     SOMATO_TRY(auto recording,
-               read_study_data(description.recording.format, arguments.text("data")));
+               read_study_data(description.recording, arguments.text("data")));
     layout = layout_of(recording);
   }
   SOMATO_TRY(const auto system, System::build(description.system, std::move(layout)));
@@ -100,11 +118,10 @@ Result<void> check_needed(const Arguments& arguments) {
 // One recording, with the seeds of the study.
 Result<PairsRequest> read_pairs(const Arguments& arguments, const StudyDescription& description,
                                 std::size_t threads) {
-  const RecordingFormat format = description.recording.format;
   PairsRequest request{{description.study.seeds, description.study.first_seed, threads}, 1, {}};
-  request.given = GivenRecordings::one(arguments.text("data"), format);
+  request.given = GivenRecordings::one(arguments.text("data"), description.recording);
   if (!arguments.has("test-data")) return request;
-  SOMATO_TRY(auto test, read_given(format, arguments.text("test-data")));
+  SOMATO_TRY(auto test, read_given(description.recording, arguments.text("test-data")));
   request.test_data = std::make_shared<const PairedRecording>(std::move(test));
   return request;
 }
@@ -169,18 +186,10 @@ Result<void> run_study_command(const Arguments& arguments) {
                   : run_whole(arguments, plan, threads);
 }
 
-}  // namespace
-
-Command run_command() {
-  return {
-      "run",
-      "Run a study: train a system on a recording and test it",
-      {{"STUDY",
-        "TOML file that describes the study and its system, or one that 'somato systems' lists",
-        true, false, Role::kInput, own_file_names}},
-      {input_flag("--data",
-                  "The recording: its file, or a folder of original files; required, as is --out, "
-                  "unless --explain is given"),
+std::vector<Flag> run_flags() {
+  std::vector<Flag> flags{input_flag("--data",
+                  "The recording: its file, a folder of original files, or a table of numbers, whose "
+                  "rows are explorations; required, as is --out, unless --explain is given"),
        input_flag("--test-data",
                   "Separate recording to test on; the system is then trained on all of --data"),
        folder_flag("-o,--out", "Folder for results.json, map.svg and system.somato",
@@ -190,7 +199,22 @@ Command run_command() {
        {"--all-metrics", "Print every metric, not only the main ones", false, false},
        {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
        threads_flag(),
-       json_flag()},
+       json_flag()};
+  const std::vector<Flag> of_tables = table_data_flags();
+  flags.insert(flags.end(), of_tables.begin(), of_tables.end());
+  return flags;
+}
+
+}  // namespace
+
+Command run_command() {
+  return {
+      "run",
+      "Run a study: train a system on a recording and test it",
+      {{"STUDY",
+        "TOML file that describes the study and its system, or one that 'somato systems' lists",
+        true, false, Role::kInput, own_file_names}},
+      run_flags(),
       {},
       run_study_command};
 }

@@ -9,6 +9,7 @@
 #include "recordings/study_data.h"
 #include "som/data.h"
 #include "studies/suggestion/suggestion.h"
+#include "study/table_data.h"
 #include "terminal/terminal.h"
 
 namespace somato::program {
@@ -55,20 +56,42 @@ Result<void> check_label_given_once(const Arguments& arguments) {
   return fail(ErrorKind::kUsage, "has no effect with --study", "--label", "omit it");
 }
 
+// 15 x 15 neurons are those of the papers, for other data.
+void set_defaults_of_table(const Arguments& arguments, const RecordingParameters& how,
+                           const Recording& table, SuggestionParameters& parameters) {
+  if (!arguments.has("least-side")) parameters.least_side = 1;
+  if (!arguments.has("label")) parameters.label = label_of_table(how, table, parameters.label);
+}
+
 Result<void> run_suggest(const Arguments& arguments) {
   SOMATO_TRY(auto parameters, read_flags<SuggestionParameters>(arguments));
   SOMATO_TRY_VOID(check_label_given_once(arguments));
   SOMATO_TRY(auto threads, read_threads(arguments));
   SOMATO_TRY(const auto like, read_like(arguments));
   const std::string path = arguments.text("RECORDING");
-  SOMATO_TRY(auto recording, read_study_data(RecordingFormat::kAutomatic, path));
+  RecordingParameters how;
+  SOMATO_TRY_VOID(read_table_data(arguments, how));
+  SOMATO_TRY(auto recording, read_study_data(how, path));
+  if (is_table(path)) set_defaults_of_table(arguments, how, recording, parameters);
   auto found = suggest(recording, parameters, {threads, terminal_progress("comparing codes")});
   if (!found) return fail(with_place(std::move(found.error()), path));
   const std::string output = arguments.text("output");
-  SOMATO_TRY_VOID(save_whole(output, to_toml(*found, like)));
+  SOMATO_TRY_VOID(save_whole(output, to_toml(*found, like, how)));
   const std::string note = arguments.has("study") ? "" : note_on_label(recording, parameters.label);
   print_summary(arguments, summary_of(*found, output) + note, to_json(*found));
   return {};
+}
+
+std::vector<Flag> suggest_flags() {
+  std::vector<Flag> flags = table_data_flags();
+  flags.push_back(threads_flag());
+  flags.push_back(
+      input_flag("--study",
+                 "Study whose tables [study] and [explore] the suggested one takes, so that "
+                 "both are compared on the same recordings: its file, or a name"));
+  flags.push_back(output_flag("-o,--output", "TOML file for the suggested study", true));
+  flags.push_back(json_flag());
+  return flags;
 }
 
 }  // namespace
@@ -76,12 +99,10 @@ Result<void> run_suggest(const Arguments& arguments) {
 Command suggest_command() {
   return {"suggest",
           "Select codes, weights and a combination of a recording's channels without labels",
-          {{"RECORDING", "Recording: its file, or a folder of original files"}},
-          {threads_flag(),
-           input_flag("--study",
-                      "Study whose tables [study] and [explore] the suggested one takes, so that "
-                      "both are compared on the same recordings: its file, or a name"),
-           output_flag("-o,--output", "TOML file for the suggested study", true), json_flag()},
+          {{"RECORDING",
+            "Recording: its file, a folder of original files, or a table of numbers (CSV, NPY, NPZ, "
+            "MAT), whose rows are explorations"}},
+          suggest_flags(),
           SuggestionParameters::declarations().infos(),
           run_suggest,
           "suggestion"};

@@ -85,7 +85,7 @@ Result<void> run_touch_order(const Arguments& arguments) {
   SOMATO_TRY(const auto parameters, read_flags<TouchOrderParameters>(arguments));
   SOMATO_TRY(const auto threads, read_threads(arguments));
   const std::string path = arguments.text("DATA");
-  SOMATO_TRY(const auto recording, read_study_data(RecordingFormat::kAutomatic, path));
+  SOMATO_TRY(const auto recording, read_study_data({}, path));
   auto orders = compare_touch_orders(recording, parameters, terminal_progress("reading"), threads);
   if (!orders) return fail(with_place(std::move(orders.error()), path));
   print_result(arguments, text_of(*orders, parameters), table_of(*orders));

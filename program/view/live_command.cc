@@ -80,7 +80,7 @@ Result<void> save_taught(const Arguments& arguments, const ReadingSession& readi
     return {};
   }
   const auto model = session.system();
-  SOMATO_TRY_VOID(save_system(path, model->system, model->answer));
+  SOMATO_TRY_VOID(save_system(path, *model));
   print_note(
       fmt::format("{}: the system with {}\n", path, counted(readings.taught(), "further name")));
   return {};

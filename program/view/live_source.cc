@@ -13,6 +13,7 @@
 #include "explore/topics.h"
 #include "recordings/study_data.h"
 #include "somato/recording/recording_file.h"
+#include "view/view_systems.h"
 #include "views/replay/recorded_explorer.h"
 
 namespace somato::program {
@@ -97,7 +98,7 @@ Result<ViewSource> replayed_source(const Arguments& arguments) {
   const std::string path = arguments.text("recording");
   if (!arguments.has("view") && is_mcap_file(path)) return streamed_source(arguments, path);
   ViewSource source;
-  SOMATO_TRY(source.recording, read_study_data(RecordingFormat::kAutomatic, path));
+  SOMATO_TRY(source.recording, read_as_for_model(arguments, path));
   SOMATO_TRY(auto objects, read_objects(arguments));
   source.layout = layout_of(source.recording);
   source.name = std::filesystem::path(path).filename().string();

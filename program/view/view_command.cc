@@ -41,10 +41,11 @@ std::string name_in(const std::string& path) {
 }
 
 // One after the other; all must have the same channels.
-Result<void> read_recordings(const std::vector<std::string>& paths, ViewSource& source) {
+Result<void> read_recordings(const Arguments& arguments, ViewSource& source) {
+  const std::vector<std::string> paths = recordings_in(arguments);
   auto& all = source.recording.explorations;
   for (const std::string& path : paths) {
-    SOMATO_TRY(auto recording, read_study_data(RecordingFormat::kAutomatic, path));
+    SOMATO_TRY(auto recording, read_as_for_model(arguments, path));
     if (!all.empty()) {
       auto alike = check_alike(recording.explorations.front(), all.front());
       if (!alike) return fail(with_place(std::move(alike.error()), path));
@@ -65,7 +66,7 @@ Result<ViewSource> viewed_body_source(const Arguments& arguments) {
                                ? systems_for_body(session.body)
                                : systems_for_channels(session.channels, {"object"}));
   ViewSource source;
-  SOMATO_TRY_VOID(read_recordings(recordings_in(arguments), source));
+  SOMATO_TRY_VOID(read_recordings(arguments, source));
   source.name = std::move(session.name);
   source.explorer = std::move(session.explorer);
   source.scenes = recorded_scenes(std::move(session.objects));
@@ -80,7 +81,7 @@ Result<ViewSource> viewed_body_source(const Arguments& arguments) {
 Result<ViewSource> recording_source(const Arguments& arguments) {
   const std::vector<std::string> paths = recordings_in(arguments);
   ViewSource source;
-  SOMATO_TRY_VOID(read_recordings(paths, source));
+  SOMATO_TRY_VOID(read_recordings(arguments, source));
   SOMATO_TRY(auto objects, read_objects(arguments));
   SOMATO_TRY(auto systems, systems_for(source.recording));
   source.name =

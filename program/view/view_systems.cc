@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "recordings/study_data.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/layout.h"
 #include "somato/studies/own_systems.h"
@@ -83,6 +84,13 @@ Result<ViewSystem> trained_system(const std::string& path) {
   system.text = "The given trained system.";
   system.trained = std::make_shared<const SystemModel>(std::move(model));
   return system;
+}
+
+Result<Recording> read_as_for_model(const Arguments& arguments, const std::string& path) {
+  if (!arguments.has("model") || !is_table(path)) return read_study_data({}, path);
+  return load_system(arguments.text("model")).and_then([&](const SystemModel& model) {
+    return read_study_data(recording_for(model, path), path);
+  });
 }
 
 Result<std::vector<ViewSystem>> systems_for(const Recording& recording) {

@@ -3,13 +3,19 @@
 #include <string>
 #include <vector>
 
+#include "flags/command_line.h"
 #include "somato/core/result.h"
+#include "somato/recording/recording.h"
 #include "views/session/view_source.h"
 
 namespace somato::program {
 
 /// A trained system from its file.
 Result<ViewSystem> trained_system(const std::string& path);
+
+/// The recording at `path`; a table is read like that of the training of `--model`. Errors: those of
+/// read_study_data() and load_system().
+Result<Recording> read_as_for_model(const Arguments& arguments, const std::string& path);
 
 /// The built-in systems that fit the recording: its channels, and the label to be predicted.
 Result<std::vector<ViewSystem>> systems_for(const Recording& recording);

@@ -8,6 +8,7 @@
 #include "somato/graph/system.h"
 #include "somato/maps/labels.h"
 #include "somato/maps/novelty.h"
+#include "somato/recording/format.h"
 
 namespace somato {
 
@@ -29,17 +30,25 @@ SystemAnswer answer_of(const System& system, std::size_t map, std::string label,
                        const std::vector<std::size_t>& of_samples,
                        std::optional<Novelty> novelty = {});
 
-/// A trained system with its output.
+/// A trained system with its output, and how its data were read: other tables are read likewise.
 struct SystemModel {
   System system;
   std::optional<SystemAnswer> answer;
+  RecordingParameters recording = {};
 };
+
+/// How the system reads the data at `path`: a table like that of its training, with columns selected
+/// by the names of the system's elements; other data with the default settings.
+RecordingParameters recording_for(const SystemModel& model, const std::string& path);
 
 /// Saves description, layout, and all learned values in one file, atomically (see save_whole);
 /// docs/formats/model-file.md describes it. Throws InvalidArgument if the answer does not fit the
 /// system. Every learning module must be trained.
 Result<void> save_system(const std::string& path, const System& system,
                          const std::optional<SystemAnswer>& answer = {});
+
+/// The same with all parts of a model.
+Result<void> save_system(const std::string& path, const SystemModel& model);
 
 /// The same model, bit by bit, as if it had been saved and loaded.
 SystemModel copy_of(const SystemModel& model);

@@ -100,8 +100,8 @@ struct Choices<ActivityNorm> {
 
 /// All parameters of a SOM. declarations() gives the meaning, unit and range of each.
 struct SomParameters {
-  std::optional<std::size_t> rows = 15;
-  std::optional<std::size_t> columns = 15;
+  std::optional<std::size_t> rows = {};
+  std::optional<std::size_t> columns = {};
   Lattice lattice = Lattice::kRectangular;
   Topology topology = Topology::kPlane;
   Similarity similarity = Similarity::kEuclidean;

@@ -38,6 +38,9 @@ struct LabelInformation {
   std::optional<double> chance_new_individuals;
   std::optional<double>
       distance_ratio;  ///< Mean distance between classes divided by that within classes.
+  /// The share of the variance of each element of the vectors that lies between the classes, 0 to 1
+  /// (the correlation ratio; Fisher 1925); 0 for an element with a single value.
+  std::vector<double> explained = {};
 };
 
 /// The correlation of the vectors with a number, such as a size.
@@ -62,6 +65,7 @@ struct Information {
   std::string module;            ///< The module whose output the vectors are.
   std::size_t explorations = 0;  ///< One vector each.
   std::size_t elements = 0;      ///< The length of a vector.
+  std::vector<std::string> element_names;  ///< One for each.
   std::vector<LabelInformation> labels;
   std::optional<OrderInformation> order;
 };

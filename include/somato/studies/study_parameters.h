@@ -79,13 +79,6 @@ struct StudyParameters {
   static const Declarations<StudyParameters>& declarations();
 };
 
-/// The format of the samples.
-struct RecordingParameters {
-  RecordingFormat format = RecordingFormat::kAutomatic;
-
-  static const Declarations<RecordingParameters>& declarations();
-};
-
 /// A complete study, as described by its TOML file.
 struct StudyDescription {
   std::string where = {};  ///< `FILE:LINE` of [study], or another location.

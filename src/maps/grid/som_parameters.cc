@@ -167,7 +167,7 @@ void decide_size(SomParameters& parameters, std::size_t samples) {
   }
   if (!p.columns) p.columns = at_least_one(neurons / static_cast<double>(*p.rows));
   constexpr std::uint64_t kIterations = 500;  // a neuron
-  p.iterations = p.iterations.value_or(kIterations * p.grid().size());
+  p.iterations = p.iterations.value_or(kIterations * *p.rows * *p.columns);
 }
 
 Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features) {

@@ -14,6 +14,7 @@
 #include "recordings/imports/icub_grasp.h"
 #include "recordings/tables/files_below.h"
 #include "recordings/tables/name_pattern.h"
+#include "recordings/tables/table_recording.h"
 #include "somato/recording/recording_file.h"
 
 namespace somato {
@@ -103,15 +104,57 @@ Result<RecordingFormat> recognize_format(const std::filesystem::path& folder) {
               folder.string(), "use a subfolder, or specify the format");
 }
 
-Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& path) {
+const Declarations<RecordingParameters>& RecordingParameters::declarations() {
+  using P = RecordingParameters;
+  static const auto declared =
+      Declarations<P>()
+          .add("format", &P::format, "", Range::any(),
+               "Format of the study's data in a folder; automatic: by the names of the files.")
+          .add("label_column", &P::label_column, "", Range::any(),
+               "Column of a table with the labels, by name or number from 1. The following keys "
+               "are for tables, too, whose rows are explorations.")
+          .add("labels", &P::labels, "", Range::any(),
+               "Text file with the labels of a table's rows, one per line, instead of a column.")
+          .add("columns_to_use", &P::columns_to_use, "", Range::any(),
+               "Columns of a table to use as features: names or patterns such as 'tax_*', or "
+               "numbers from 1 and ranges such as 2..17 of columns without names. Empty: all.")
+          .add("skip", &P::skip, "", Range::any(), "Columns to leave out, in the same form.")
+          .add("variable", &P::variable, "", Range::any(),
+               "Array of an NPZ archive or a MAT-file with several.")
+          .add("missing", &P::missing, "", Range::any(),
+               "Whether a missing number is an error or marked as invalid, so that 'fill' of the "
+               "module replaces it.")
+          .add("decimal", &P::decimal, "", Range::any(), "Decimal separator in text.")
+          .add("header", &P::header, "", Range::any(),
+               "Whether the first line of a text file contains names; automatic: if it contains "
+               "a field that is not a number.");
+  return declared;
+}
+
+bool is_table(const std::filesystem::path& path) {
+  std::error_code missing;
+  if (!std::filesystem::is_regular_file(path, missing) || is_mcap_file(path.string())) return false;
+  const std::string extension = path.extension().string();
+  return extension != ".mcap" && extension != ".db3";
+}
+
+Result<Recording> load_recording(const RecordingParameters& parameters,
+                                 const std::filesystem::path& path) {
+  if (is_table(path)) return read_table_recording(path.string(), parameters);
+  SOMATO_TRY_VOID(check_without_table(parameters, path.string()));
   std::error_code missing;
   if (std::filesystem::is_regular_file(path, missing)) return read_recording(path.string());
+  RecordingFormat format = parameters.format;
   if (format == RecordingFormat::kAutomatic) {
     SOMATO_TRY(format, recognize_format(path));
   }
   const auto* const set = std::find_if(std::begin(kDataSets), std::end(kDataSets),
                                        [&](const DataSet& one) { return one.format == format; });
   return set->import(path);
+}
+
+Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& path) {
+  return load_recording(RecordingParameters{.format = format}, path);
 }
 
 }  // namespace somato

@@ -50,6 +50,25 @@ std::vector<std::string> selectable(const std::vector<std::string>& names,
   return selection;
 }
 
+// The fields of the numbers of rows and columns in the message that contains the values.
+std::vector<FieldReader> lengths_beside(const std::shared_ptr<const RosType>& type,
+                                        const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  const std::string before = dot == std::string::npos ? "" : path.substr(0, dot + 1);
+  if (before.find('*') != std::string::npos || before.find("..") != std::string::npos) return {};
+  for (const auto& [rows, columns] :
+       {std::pair("rows", "cols"), std::pair("rows", "columns"), std::pair("height", "width")}) {
+    auto down = FieldReader::compile(type, before + rows);
+    auto across = FieldReader::compile(type, before + columns);
+    if (!down || !across) continue;
+    std::vector<FieldReader> lengths;
+    lengths.push_back(std::move(*down));
+    lengths.push_back(std::move(*across));
+    return lengths;
+  }
+  return {};
+}
+
 Result<std::vector<double>> numbers_at(const FieldReader& reader, std::string_view message) {
   std::vector<double> values;
   Numbers sink(values);
@@ -72,8 +91,11 @@ Result<ChannelReader> ChannelReader::compile(const std::shared_ptr<const RosType
   SOMATO_TRY_VOID(reader.take_names(type, names));
   SOMATO_TRY_VOID(reader.check_selection());
   if (has_layout(*type) && paths == std::vector<std::string>{"data"}) {
-    SOMATO_TRY(reader.lengths_, FieldReader::compile(type, "layout.dim[*].size"));
+    SOMATO_TRY(FieldReader lengths, FieldReader::compile(type, "layout.dim[*].size"));
+    reader.lengths_.push_back(std::move(lengths));
     SOMATO_TRY(reader.offset_, FieldReader::compile(type, "layout.data_offset"));
+  } else if (paths.size() == 1) {
+    reader.lengths_ = lengths_beside(type, paths.front());
   }
   return reader;
 }
@@ -168,7 +190,7 @@ Result<void> ChannelReader::learn(std::string_view message, const std::string& k
 
 Result<std::vector<std::string>> ChannelReader::element_names(std::string_view message) const {
   std::vector<std::string> names;
-  if (lengths_) return names;
+  if (offset_) return names;
   if (names_) {
     SOMATO_TRY(names, names_->of(values_, message));
   }
@@ -181,15 +203,21 @@ Result<std::vector<std::string>> ChannelReader::element_names(std::string_view m
 }
 
 Result<std::vector<std::size_t>> ChannelReader::shape(std::string_view message) const {
-  std::vector<std::size_t> shape;
-  if (!lengths_) return shape;
-  SOMATO_TRY(const std::vector<double> lengths, numbers_at(*lengths_, message));
+  using Shape = std::vector<std::size_t>;
+  Shape shape;
+  std::vector<double> lengths;
+  for (const FieldReader& reader : lengths_) {
+    SOMATO_TRY(const std::vector<double> more, numbers_at(reader, message));
+    lengths.insert(lengths.end(), more.begin(), more.end());
+  }
+  if (lengths.size() < 2) return shape;
   std::vector<double> values;
   SOMATO_TRY_VOID(read(message, values));
   std::size_t elements = 1;
   for (const double length : lengths) {
+    if (!(length >= 1.0 && length <= static_cast<double>(values.size()))) return Shape();
     shape.push_back(static_cast<std::size_t>(length));
-    elements = shape.back() == 0 || elements > values.size() ? 0 : elements * shape.back();
+    elements = elements > values.size() ? 0 : elements * shape.back();
   }
   if (elements != values.size() || shape.size() < 2) shape.clear();
   return shape;

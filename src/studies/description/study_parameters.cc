@@ -4,6 +4,7 @@
 
 #include "base/core/contains.h"
 #include "somato/core/check.h"
+#include "studies/description/changed_keys.h"
 
 namespace somato {
 namespace {
@@ -129,17 +130,6 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
   return check_effects(study, file);
 }
 
-// Without defaults, since a key that no protocol reads is refused.
-template <typename Parameters>
-std::string table_to_toml(const std::string& name, const Parameters& parameters) {
-  std::string text = "[" + name + "]\n";
-  for (const auto& parameter : Parameters::declarations().all()) {
-    const std::string value = to_toml(parameter.read(parameters));
-    if (value != parameter.info.default_text) text += parameter.info.name + " = " + value + "\n";
-  }
-  return text + "\n";
-}
-
 }  // namespace
 
 const std::vector<std::pair<Protocol, std::string>>& Choices<Protocol>::all() {
@@ -253,14 +243,6 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
   return declared;
 }
 
-const Declarations<RecordingParameters>& RecordingParameters::declarations() {
-  using P = RecordingParameters;
-  static const auto declared =
-      Declarations<P>().add("format", &P::format, "", Range::any(),
-                            "Format of the study's data; automatic: by the names of the files.");
-  return declared;
-}
-
 Result<StudyDescription> read_study(const Table& file) {
   StudyDescription description;
   description.where = place_of(file, {});
@@ -292,8 +274,9 @@ void reset_unread(StudyParameters& study, const std::vector<std::string>& given)
 }
 
 std::string to_toml(const StudyDescription& description) {
-  return table_to_toml("study", description.study) +
-         table_to_toml("recording", description.recording) + to_toml(description.altered) +
+  // Without defaults, since a key that no protocol reads is refused.
+  return changed_keys_to_toml("study", description.study) +
+         changed_keys_to_toml("recording", description.recording) + to_toml(description.altered) +
          to_toml(description.system);
 }
 

@@ -12,9 +12,11 @@
 #include "somato/graph/system_model.h"
 #include "somato/maps/labels.h"
 #include "studies/description/exploration_samples.h"
+#include "studies/measures/explained_share.h"
 #include "studies/measures/individual_order.h"
 #include "studies/measures/sample_distances.h"
 #include "systems/graph/wiring.h"
+#include "systems/model/element_names.h"
 
 namespace somato {
 namespace {
@@ -113,7 +115,8 @@ bool all_equal(const Numbers& numbers) {
 }
 
 Result<LabelInformation> about_label(const std::string& name, const Recording& recording,
-                                     const Matrix<double>& distances, const Numbers& individuals) {
+                                     const Samples& vectors, const Matrix<double>& distances,
+                                     const Numbers& individuals) {
   SOMATO_TRY(const auto labels, labels_of(recording, name));
   const Classes classes = Classes::from_names(labels);
   if (classes.names.size() < 2) return fail(too_few_classes(name));
@@ -122,6 +125,7 @@ Result<LabelInformation> about_label(const std::string& name, const Recording& r
   const NeighbourAccuracy left_out = neighbour_accuracy(distances, classes.of_sample, each);
   LabelInformation about{name, classes.names.size(), left_out.accuracy, left_out.chance, {}, {},
                          {}};
+  about.explained = explained_shares(vectors, classes);
   about.distance_ratio = between_to_within(distances, classes.of_sample);
   if (individuals == each) return about;
   const NeighbourAccuracy others = neighbour_accuracy(distances, classes.of_sample, individuals);
@@ -142,7 +146,8 @@ Json json_of(const LabelInformation& about) {
           {"chance", about.chance},
           {"accuracy_new_individuals", json_of(about.accuracy_new_individuals)},
           {"chance_new_individuals", json_of(about.chance_new_individuals)},
-          {"distance_ratio", json_of(about.distance_ratio)}};
+          {"distance_ratio", json_of(about.distance_ratio)},
+          {"explained", about.explained}};
 }
 
 Json json_of(const OrderInformation& order) {
@@ -174,7 +179,7 @@ const Declarations<InformationParameters>& InformationParameters::declarations()
   using P = InformationParameters;
   static const auto declared =
       Declarations<P>()
-          .add("labels", &P::labels, "", Range::any(), "Labels by which the vectors are compared.")
+          .add("labels", &P::labels, "", Range::any(), "Labels by which the vectors are compared; by default that of the study.")
           .add("individual", &P::individual, "", Range::any(),
                "Label of the individuals, such as the object if a label is its shape: a label is "
                "then also predicted from other individuals, and an order is that of the "
@@ -210,10 +215,11 @@ Result<Information> measure_information(const StudyDescription& description,
 
   const SystemModule& gives = system.modules()[module];
   Information information{description.study.name, content_hash(recording), parameters, gives.name,
-                          vectors.count(),        vectors.size(),          {},         {}};
+                          vectors.count(),        vectors.size(),
+                          element_names(system, module), {}, {}};
   const Matrix<double> distances = distances_between(vectors, threads);
   for (const std::string& label : parameters.labels) {
-    SOMATO_TRY(auto about, about_label(label, recording, distances, individuals));
+    SOMATO_TRY(auto about, about_label(label, recording, vectors, distances, individuals));
     information.labels.push_back(std::move(about));
   }
   if (parameters.order.empty()) return information;
@@ -232,6 +238,7 @@ std::string to_json(const Information& information) {
                {"module", information.module},
                {"explorations", information.explorations},
                {"elements", information.elements},
+               {"element_names", information.element_names},
                {"labels", labels}};
   if (information.order) json["order"] = json_of(*information.order);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

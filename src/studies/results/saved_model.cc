@@ -17,7 +17,7 @@ Result<std::string> hash_of_file(const std::string& path) {
 Result<void> save_model(const std::filesystem::path& folder, const std::string& path,
                         const SystemModel& model, PartResults& results) {
   const std::string file = (folder / path).string();
-  auto saved = save_system(file, model.system, model.answer);
+  auto saved = save_system(file, model);
   if (!saved) return saved;
   SOMATO_TRY(auto hash, hash_of_file(file));
   results.model = ModelFile{path, std::move(hash), results.pairs.front().seed};

@@ -64,6 +64,9 @@ StudyOutcome outcome_of(const StudyDescription& description, const PreparedStudy
   outcome.model.answer =
       answer_of(system, prepared.map, description.study.label, outcome.classes.names,
                 outcome.winners, outcome.classes.of_sample, std::move(novelty));
+  // Other data may have another format.
+  outcome.model.recording = description.recording;
+  outcome.model.recording.format = RecordingFormat::kAutomatic;
   outcome.results.parameters = study_settings(description, system);
   return outcome;
 }

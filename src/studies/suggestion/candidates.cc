@@ -15,8 +15,6 @@ constexpr double kFloorShare = 0.01;   // of the median magnitude
 constexpr double kEqualShare = 1e-12;  // spread by the mean square, below which vectors are equal
 constexpr double kMostSpread = 1e30;   // of squared distances in single precision
 
-const std::vector<Scaling> kEvery{std::begin(kAllScalings), std::end(kAllScalings)};
-
 double mean_square(const Samples& vectors) {
   double sum = 0.0;
   for (std::size_t i = 0; i < vectors.count(); ++i) sum += inner_product(vectors[i], vectors[i]);
@@ -129,7 +127,7 @@ Result<void> compare_source(const Recording& recording, std::size_t number, bool
   Samples preceding;
   for (std::size_t i = 0; i < codes.size(); ++i) {
     if (!codes[i].logarithm_of.empty()) set_floor(codes[i], floor_of(preceding));
-    preceding = add_candidates(frames, codes[i], number, kEvery, limits, group, &sum);
+    preceding = add_candidates(frames, codes[i], number, group.scalings, limits, group, &sum);
     const double done = static_cast<double>(i + 1) / static_cast<double>(codes.size());
     SOMATO_TRY_VOID(limits.proceed((static_cast<double>(number) + done) /
                                    static_cast<double>(group.sources.size())));

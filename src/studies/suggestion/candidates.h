@@ -33,6 +33,7 @@ struct CandidateGroup {
   std::vector<std::size_t> senses;
   std::vector<FrameSource> sources;
   std::vector<CandidateCode> candidates;
+  std::vector<Scaling> scalings{std::begin(kAllScalings), std::end(kAllScalings)};  ///< Of codes.
 };
 
 /// Resources for the comparison of candidates.

@@ -29,8 +29,32 @@ bool is_usable(const std::string& name) {
          name.find("_times_") == std::string::npos && name.find("_from_") == std::string::npos;
 }
 
-bool has_missing_values(const Channel& channel) {
-  return std::ranges::any_of(channel.valid.values(), [](std::uint8_t valid) { return valid == 0; });
+bool may_miss_values(const Recording& recording, std::size_t channel) {
+  return std::ranges::any_of(recording.explorations, [&](const Exploration& exploration) {
+    return !exploration.channels[channel].valid.empty();
+  });
+}
+
+// The mean of the valid values of each element, 0 if there are none.
+Value::List known_means(const Recording& recording, std::size_t channel) {
+  const std::size_t elements = recording.explorations.front().channels[channel].frames.columns();
+  std::vector<double> sums(elements, 0.0);
+  std::vector<double> counts(elements, 0.0);
+  for (const Exploration& exploration : recording.explorations) {
+    const Channel& frames = exploration.channels[channel];
+    for (std::size_t row = 0; row < frames.frames.rows(); ++row) {
+      for (std::size_t i = 0; i < elements; ++i) {
+        if (!frames.valid.empty() && frames.valid(row, i) == 0) continue;
+        sums[i] += double{frames.frames(row, i)};
+        counts[i] += 1.0;
+      }
+    }
+  }
+  Value::List means;
+  for (std::size_t i = 0; i < elements; ++i) {
+    means.push_back({plain(static_cast<float>(sums[i] / std::max(counts[i], 1.0)))});
+  }
+  return means;
 }
 
 // The change of any element since the first frame.
@@ -95,13 +119,26 @@ std::vector<std::string> module_names(const std::vector<std::string>& channels) 
   return names;
 }
 
-FrameSource channel_source(const std::string& module, const Channel& channel) {
+bool has_several_frames(const Recording& recording, std::size_t channel) {
+  return std::ranges::any_of(recording.explorations, [&](const Exploration& exploration) {
+    return exploration.channels[channel].frames.rows() > 1;
+  });
+}
+
+FrameSource channel_source(const std::string& module, const Recording& recording,
+                           std::size_t channel) {
+  const Channel& first = recording.explorations.front().channels[channel];
   Value::List shape;
-  for (const std::size_t length : channel.frame_shape()) {
+  for (const std::size_t length : first.frame_shape()) {
     shape.push_back({static_cast<std::int64_t>(length)});
   }
-  std::vector<SystemBuilder::Setting> settings{{"channel", {channel.name}}, {"shape", {shape}}};
-  if (has_missing_values(channel)) settings.push_back({"invalid", {std::string("hold")}});
+  std::vector<SystemBuilder::Setting> settings{{"channel", {first.name}}, {"shape", {shape}}};
+  if (may_miss_values(recording, channel)) {
+    if (has_several_frames(recording, channel)) {
+      settings.push_back({"invalid", {std::string("hold")}});
+    }
+    settings.push_back({"fill", {known_means(recording, channel)}});
+  }
   return {SystemBuilder("").module(module, "channel", settings).description().modules, {module}};
 }
 

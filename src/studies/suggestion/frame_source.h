@@ -23,8 +23,13 @@ struct FrameSource {
 /// different from the names of other modules: the channel's own if possible.
 std::vector<std::string> module_names(const std::vector<std::string>& channels);
 
-/// The source that reads a channel; missing values are replaced by the preceding ones.
-FrameSource channel_source(const std::string& module, const Channel& channel);
+/// Whether an exploration has more than one frame of the channel.
+bool has_several_frames(const Recording& recording, std::size_t channel);
+
+/// The source that reads a channel of the recording. Missing values are replaced by the preceding
+/// ones, and without these by the mean of the element's known values in the recording.
+FrameSource channel_source(const std::string& module, const Recording& recording,
+                           std::size_t channel);
 
 /// The source that continues `source` with the frames from the onset of contact, and takes its
 /// module and length from `onset`.

@@ -12,7 +12,6 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kSide = 15;  // of the map, as in the papers
 constexpr std::size_t kLongestSide = 40;
 constexpr std::size_t kIterations = 20000;  // docs/below-the-baseline.md
 constexpr double kRadiusEnd = 0.5;
@@ -102,7 +101,7 @@ class SystemOfParts {
   void add_map(const std::string& input) {
     const auto explorations = static_cast<double>(suggestion_.explorations);
     const auto wanted = static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * explorations)));
-    const auto side = static_cast<std::int64_t>(std::clamp(wanted, kSide, kLongestSide));
+    const auto side = static_cast<std::int64_t>(std::clamp(wanted, suggestion_.parameters.least_side, kLongestSide));
     const SystemBuilder builder =
         SystemBuilder("").module("map", "som",
                                  {{"input", {input}},

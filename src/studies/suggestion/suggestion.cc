@@ -13,6 +13,7 @@
 #include "studies/suggestion/candidates.h"
 #include "studies/suggestion/channel_roles.h"
 #include "studies/suggestion/combination.h"
+#include "studies/suggestion/frame_source.h"
 #include "studies/suggestion/suggested_system.h"
 
 namespace somato {
@@ -66,6 +67,7 @@ class Search {
          const SuggestionOptions& options)
       : parameters_(parameters),
         options_(options),
+        whole_(recording),
         recording_(without_labels(recording, drawn(recording.explorations.size(),
                                                    parameters.explorations, parameters.seed))),
         layout_(layout_of(recording_)) {
@@ -119,11 +121,14 @@ class Search {
     return found;
   }
 
+  FrameSource source_of_channel(std::size_t channel) const {
+    return channel_source(names_of_channels()[channel], whole_, channel);
+  }
+
   FrameSource source_of(std::size_t channel) const {
-    const std::vector<std::string> names = names_of_channels();
-    FrameSource source = channel_source(names[channel], channels()[channel]);
+    FrameSource source = source_of_channel(channel);
     if (!speed_ || *speed_ == channel) return source;
-    const FrameSource speed = channel_source(names[*speed_], channels()[*speed_]);
+    const FrameSource speed = source_of_channel(*speed_);
     source.modules.push_back(speed.modules.front());
     source.outputs.push_back(speed.outputs.front());
     return source;
@@ -135,6 +140,13 @@ class Search {
     return module_names(names);
   }
 
+  // The columns of a table may have different units, on which only standardized vectors do not
+  // depend.
+  bool may_mix_units(std::size_t channel) const {
+    return layout_.channels[channel].unit.empty() && channels()[channel].frames.columns() > 1 &&
+           !has_several_frames(recording_, channel);
+  }
+
   Result<void> compare_senses() {
     const std::vector<std::size_t> senses = channels_with(ChannelRole::kSense);
     groups_.resize(channels().size());
@@ -144,6 +156,7 @@ class Search {
       const double from = each * static_cast<double>(i);
       CandidateGroup& group = groups_[senses[i]];
       group.sources = {source_of(senses[i])};
+      if (may_mix_units(senses[i])) group.scalings = {Scaling::kStandardized};
       const bool has_speed = group.sources.front().outputs.size() > 1;
       SOMATO_TRY(neighbourhoods_[senses[i]],
                  compare_codes(recording_, group, has_speed, limits(from, from + each)));
@@ -250,13 +263,12 @@ class Search {
 
   Result<void> compare_products() {
     const auto chosen = pairs();
-    const std::vector<std::string> names = names_of_channels();
     for (std::size_t i = 0; i < chosen.size(); ++i) {
       const auto [posture, other] = chosen[i];
       CandidateGroup group;
       group.senses = {groups_[posture].senses.front(), groups_[other].senses.front()};
-      group.sources = {channel_source(names[posture], channels()[posture])};
-      const FrameSource second = channel_source(names[other], channels()[other]);
+      group.sources = {source_of_channel(posture)};
+      const FrameSource second = source_of_channel(other);
       group.sources.front().modules.push_back(second.modules.front());
       group.sources.front().outputs.push_back(second.outputs.front());
       const double each = (kProductsDone - kCodesDone) / static_cast<double>(chosen.size());
@@ -338,7 +350,8 @@ class Search {
 
   const SuggestionParameters& parameters_;
   const SuggestionOptions& options_;
-  Recording recording_;
+  const Recording& whole_;
+  Recording recording_;  // the explorations that are compared, without labels
   RecordingLayout layout_;
   std::optional<std::size_t> speed_;
   std::vector<CandidateGroup> groups_;          // of all channels, then of the products
@@ -382,6 +395,9 @@ const Declarations<SuggestionParameters>& SuggestionParameters::declarations() {
                "equally good ones is used.")
           .add("least_gain", &P::least_gain, "", Range::between(0, 1),
                "Least decrease of the score for which a further part is added.")
+          .add("least_side", &P::least_side, "neurons", Range::between(1, 40),
+               "Least number of rows and of columns of the map, which has at least two neurons for "
+               "each exploration; 15 as in the papers.")
           .add("seed", &P::seed, "", Range::between(0, 1e15),
                "Seed of the draw of explorations, if there are more than are compared.");
   return declared;

@@ -10,6 +10,7 @@
 #include "somato/core/result.h"
 #include "somato/core/value.h"
 #include "somato/graph/system_description.h"
+#include "somato/recording/format.h"
 #include "somato/recording/recording.h"
 
 namespace somato {
@@ -25,6 +26,7 @@ struct SuggestionParameters {
   std::size_t elements = 20000;
   std::vector<double> weights{1.0, 0.5, 2.0, 0.25, 4.0};
   double least_gain = 0.002;
+  std::size_t least_side = 15;
   std::uint64_t seed = 1;
 
   static const Declarations<SuggestionParameters>& declarations();
@@ -101,8 +103,10 @@ Result<Suggestion> suggest(const Recording& recording, const SuggestionParameter
 
 /// The suggestion as the TOML file of a study, with its reasons as comments. The tables `[study]`
 /// and `[explore]` of `like`, the file of another study, replace those of the suggestion, except
-/// for the name and the map, so that both can be compared on the same recordings.
-std::string to_toml(const Suggestion& suggestion, const Table& like = {});
+/// for the name and the map, so that both can be compared on the same recordings. `recording` is how
+/// the recording was read.
+std::string to_toml(const Suggestion& suggestion, const Table& like = {},
+                    const RecordingParameters& recording = {});
 
 /// All scores, as JSON, version 1.
 std::string to_json(const Suggestion& suggestion);

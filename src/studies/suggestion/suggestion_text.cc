@@ -9,6 +9,7 @@
 
 #include "base/files/toml_file.h"
 #include "somato/core/value.h"
+#include "studies/description/changed_keys.h"
 
 namespace somato {
 namespace {
@@ -174,6 +175,13 @@ std::string study_of(const Suggestion& suggestion, const Table& like) {
          (study ? values_of(*study, {"name", "map"}) : own_settings(suggestion));
 }
 
+std::string recording_of(const RecordingParameters& recording) {
+  if (recording == RecordingParameters{}) return {};
+  std::string text = "\n" + changed_keys_to_toml("recording", recording);
+  text.pop_back();
+  return text;
+}
+
 std::string explore_of(const Table& like) {
   const Table* explore = table_in(like, "explore");
   if (!explore) return {};
@@ -221,8 +229,10 @@ Json json_of(const Suggestion& suggestion, const SuggestedPart& part) {
 
 }  // namespace
 
-std::string to_toml(const Suggestion& suggestion, const Table& like) {
-  return heading_of(suggestion) + study_of(suggestion, like) + explore_of(like) +
+std::string to_toml(const Suggestion& suggestion, const Table& like,
+                    const RecordingParameters& recording) {
+  return heading_of(suggestion) + study_of(suggestion, like) + recording_of(recording) +
+         explore_of(like) +
          modules_of(suggestion);
 }
 

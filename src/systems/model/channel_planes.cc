@@ -8,6 +8,7 @@
 
 #include "somato/core/check.h"
 #include "somato/graph/system_model.h"
+#include "systems/model/element_names.h"
 #include "systems/model/weight_folding.h"
 
 namespace somato {
@@ -17,40 +18,16 @@ constexpr std::size_t kShort = 64;
 constexpr std::size_t kMostPlaneElements = 256;
 constexpr std::size_t kMostGroups = 128;
 
-std::vector<std::string> numbered(std::size_t count) {
-  std::vector<std::string> names;
-  names.reserve(count);
-  for (std::size_t i = 1; i <= count; ++i) names.push_back(std::to_string(i));
-  return names;
-}
-
-// The elements that a module of type `channel` takes, named as its recording names them.
-std::vector<std::string> taken(const Table& settings, const std::vector<std::string>& all) {
-  const Table::Entry* entry = settings.find("elements");
-  const auto* value = entry ? std::get_if<Value>(&entry->content) : nullptr;
-  const auto* list = value ? std::get_if<Value::List>(&value->content) : nullptr;
-  std::vector<std::string> names;
-  for (const Value& one : list ? *list : Value::List{}) {
-    const auto* name = std::get_if<std::string>(&one.content);
-    if (!name) return {};
-    const auto number = std::find_if(all.begin(), all.end(), [&, i = 0U](const auto&) mutable {
-      return std::to_string(++i) == *name;
-    });
-    names.push_back(number == all.end() ? *name : *number);
-  }
-  return names.empty() ? all : names;
-}
-
 ChannelPlanes of_channel(const System& system, std::size_t module, const Source& source) {
   const SystemModule& own = system.modules()[module];
   ChannelPlanes planes{source.channel(), {}, own.output.shape, {}, {}, {}};
   for (const ChannelLayout& channel : system.layout().channels) {
     if (channel.name != source.channel()) continue;
     planes.unit = channel.unit;
-    planes.elements = taken(system.description().modules[module].settings, channel.element_names);
+    planes.elements = taken_elements(system.description().modules[module].settings, channel.element_names);
   }
   if (planes.elements.size() != own.output.size()) {
-    planes.elements = numbered(own.output.size());
+    planes.elements = numbers_as_names(own.output.size());
   }
   return planes;
 }
@@ -59,7 +36,7 @@ ChannelPlanes frame_of(const System& system, std::size_t module) {
   const SystemModule& own = system.modules()[module];
   const auto* source = dynamic_cast<const Source*>(own.module.get());
   if (source) return of_channel(system, module, *source);
-  return {own.name, {}, own.output.shape, numbered(own.output.size()), {}, {}};
+  return {own.name, {}, own.output.shape, numbers_as_names(own.output.size()), {}, {}};
 }
 
 // Too many elements to display: means of neighbours.
@@ -100,7 +77,7 @@ detail::FoldedWeights weights_of(const Som& som, std::size_t neuron) {
 // All elements of the map's input.
 ChannelPlanes input_planes(const System& system, std::size_t input, const Som& som) {
   const SystemModule& module = system.modules()[input];
-  ChannelPlanes planes{module.name, {}, module.output.shape, numbered(som.input_size()), {}, {}};
+  ChannelPlanes planes{module.name, {}, module.output.shape, numbers_as_names(som.input_size()), {}, {}};
   planes.values = Matrix<double>(som.neurons(), som.input_size());
   for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
     for (std::size_t element = 0; element < som.input_size(); ++element) {

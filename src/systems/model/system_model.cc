@@ -122,10 +122,14 @@ Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
   return std::move(part.answer);
 }
 
-Archive archive_of(const System& system, const std::optional<SystemAnswer>& answer) {
+Archive archive_of(const System& system, const std::optional<SystemAnswer>& answer,
+                   const RecordingParameters& recording) {
   Archive archive(kSystemKind);
   archive.add("description", to_toml(system.description()));
   archive.add("layout", layout_to_toml(system.layout()));
+  if (recording != RecordingParameters{}) {
+    archive.add("recording", parameters_to_toml(recording));
+  }
   for (const SystemModule& module : system.modules()) {
     if (const Learner* learner = module.module->learner())
       learner->save(archive, prefix_of(module));
@@ -139,6 +143,10 @@ Archive archive_of(const System& system, const std::optional<SystemAnswer>& answ
     if (answer->novelty) add_novelty(archive, *answer->novelty);
   }
   return archive;
+}
+
+Archive archive_of(const SystemModel& model) {
+  return archive_of(model.system, model.answer, model.recording);
 }
 
 Result<System> build(const Archive& archive, const std::string& where) {
@@ -163,6 +171,9 @@ Result<SystemModel> system_model_in(const Archive& archive, const std::string& w
     if (!loaded) return damaged_model(std::move(loaded.error()), where);
   }
   SystemModel model{std::move(system), {}};
+  if (archive.find("recording")) {
+    SOMATO_TRY(model.recording, parameters_from<RecordingParameters>(archive, "recording", where));
+  }
   if (archive.find("answer")) {
     SOMATO_TRY(model.answer, read_answer(archive, model.system, where));
   }
@@ -170,6 +181,15 @@ Result<SystemModel> system_model_in(const Archive& archive, const std::string& w
 }
 
 }  // namespace
+
+RecordingParameters recording_for(const SystemModel& model, const std::string& path) {
+  if (!is_table(path)) return {};
+  RecordingParameters parameters = model.recording;
+  parameters.labels.clear();  // those of other rows
+  const std::vector<ChannelLayout>& channels = model.system.layout().channels;
+  if (channels.size() == 1) parameters.features = channels.front().element_names;
+  return parameters;
+}
 
 const Som* som_of(const System& system, std::size_t module) {
   const auto* som = dynamic_cast<const modules::MapModule*>(system.modules()[module].module.get());
@@ -195,11 +215,16 @@ SystemAnswer answer_of(const System& system, std::size_t map, std::string label,
 Result<void> save_system(const std::string& path, const System& system,
                          const std::optional<SystemAnswer>& answer) {
   if (answer) require_fit(system, *answer);
-  return save_archive(path, archive_of(system, answer));
+  return save_archive(path, archive_of(system, answer, {}));
+}
+
+Result<void> save_system(const std::string& path, const SystemModel& model) {
+  if (model.answer) require_fit(model.system, *model.answer);
+  return save_archive(path, archive_of(model));
 }
 
 SystemModel copy_of(const SystemModel& model) {
-  return system_model_in(archive_of(model.system, model.answer), "copy").value();
+  return system_model_in(archive_of(model), "copy").value();
 }
 
 Result<SystemModel> load_system(const std::string& path) {
@@ -207,7 +232,7 @@ Result<SystemModel> load_system(const std::string& path) {
   SOMATO_TRY_VOID(check_kind(archive, kSystemKind, path));
   SOMATO_TRY(auto model, system_model_in(archive, path));
   // Saving again must give the same parts, neither more nor fewer.
-  if (archive_of(model.system, model.answer) == archive) return model;
+  if (archive_of(model) == archive) return model;
   return damaged_model("the parts do not fit together", path);
 }
 

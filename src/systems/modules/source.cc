@@ -35,6 +35,7 @@ struct ChannelParameters {
   std::vector<std::size_t> shape;
   std::vector<std::string> elements;
   Invalid invalid = Invalid::kRefuse;
+  std::vector<double> fill;
 
   static const Declarations<ChannelParameters>& declarations() {
     using P = ChannelParameters;
@@ -48,7 +49,10 @@ struct ChannelParameters {
                  "Elements to select, by name or by number from 1; empty: all.")
             .add("invalid", &P::invalid, "", Range::any(),
                  "Treatment of a value marked as invalid: an error, 0, or the preceding valid "
-                 "value (0 if there is none).");
+                 "value (0 if there is none).")
+            .add("fill", &P::fill, "", Range::between(-1e30, 1e30),
+                 "Numbers that replace values marked as invalid, one for each selected element or "
+                 "one for all; with \"hold\", those before the first valid value.");
     return declared;
   }
 };
@@ -99,19 +103,31 @@ class ChannelModule : public Source {
     std::vector<float>& values = out.begin_dense(elements_.size());
     for (std::size_t i = 0; i < elements_.size(); ++i) {
       const bool valid = channel.valid.empty() || channel.valid(row, elements_[i]) != 0;
-      if (!valid && parameters_.invalid == Invalid::kRefuse) {
+      if (valid) {
+        values[i] = channel.frames(row, elements_[i]);
+      } else if (refuses()) {
         return fail(ErrorKind::kData,
                     fmt::format("channel '{}', frame {}, element {} is not valid", channel.name,
                                 row + 1, elements_[i] + 1),
-                    {}, R"(set 'invalid' of the module to "zero" or "hold")");
+                    {},
+                    R"(set 'invalid' of the module to "zero" or "hold", or 'fill' to numbers)");
+      } else if (is_first || parameters_.invalid != Invalid::kHold) {
+        values[i] = filled(i);
       }
-      const bool hold = parameters_.invalid == Invalid::kHold && !is_first;
-      if (valid || !hold) values[i] = valid ? channel.frames(row, elements_[i]) : 0.0F;
     }
     return {};
   }
 
  private:
+  bool refuses() const {
+    return parameters_.invalid == Invalid::kRefuse && parameters_.fill.empty();
+  }
+
+  float filled(std::size_t element) const {
+    if (parameters_.fill.empty()) return 0.0F;
+    return static_cast<float>(parameters_.fill[parameters_.fill.size() == 1 ? 0 : element]);
+  }
+
   // Uses only the module's own settings.
   Result<void> open_without_recording() {
     if (parameters_.channel.empty()) {
@@ -146,7 +162,19 @@ class ChannelModule : public Source {
       elements_.push_back(element);
     }
     if (!parameters_.elements.empty()) type_.shape = {elements_.size()};
-    return {};
+    return check_fill();
+  }
+
+  Result<void> check_fill() const {
+    const std::size_t count = parameters_.fill.size();
+    if (count > 0 && parameters_.invalid == Invalid::kZero) {
+      return fail(ErrorKind::kUsage, "invalid = \"zero\" and 'fill' exclude each other", {},
+                  "remove one of them");
+    }
+    if (count < 2 || count == elements_.size()) return {};
+    return fail(ErrorKind::kUsage,
+                fmt::format("'fill' has {} numbers for {} elements", count, elements_.size()), {},
+                "write one number for each element, or one for all");
   }
 
   Parameters parameters_;

@@ -123,7 +123,9 @@ TEST(MapSize, LeavesWhatIsGiven) {
   EXPECT_EQ(wide.rows, 3U);
   EXPECT_EQ(wide.columns, 30U);
   EXPECT_EQ(wide.iterations, 7U);
-  const SomParameters fixed = decided(SomParameters{}, 316);
+  SomParameters given;
+  given.rows = given.columns = 15;
+  const SomParameters fixed = decided(given, 316);
   EXPECT_EQ(fixed.rows, 15U);
   EXPECT_FALSE(fixed.iterations.has_value()) << "2000, as in P11, is decided later";
 }

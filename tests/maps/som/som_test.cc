@@ -143,6 +143,7 @@ TEST(Som, OfAZeroInputHasNoActivity) {
 TEST(Som, AnswersTheSameToSparseAndDenseInputs) {
   Random random(44);
   SomParameters p;
+  p.rows = p.columns = 15;
   p = resolve(p, 1, 50).value();
   const Som som(p, random_weights(225, 50, false, random));
   for (int i = 0; i < 100; ++i) {
@@ -157,7 +158,7 @@ TEST(Som, AnswersTheSameToSparseAndDenseInputs) {
 }
 
 TEST(Som, RefusesInputsOfAnotherSize) {
-  const Som som(resolve({}, 1, 2).value(), Matrix<float>(225, 2));
+  const Som som(resolve({}, 1, 2).value(), Matrix<float>(6, 2));
   SomWorkspace workspace;
   const std::vector<float> input(3);
   EXPECT_THROW((void)som.winner(SignalView::dense(input), workspace), InvalidArgument);

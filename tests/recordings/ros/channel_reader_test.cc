@@ -1,5 +1,6 @@
 #include "recordings/ros/channel_reader.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,6 +60,30 @@ TEST(ChannelReader, AShapeThatTheValuesDoNotFillIsNone) {
   EXPECT_TRUE(reader.shape(array_message(2, 3, 7)).value().empty());
   EXPECT_TRUE(reader.shape(array_message(2, 3, 12)).value().empty());
   EXPECT_TRUE(reader.shape(array_message(0, 3, 6)).value().empty());
+}
+
+// A message with its numbers of rows and columns, in a list of pads.
+std::string pads_message(std::uint32_t rows, std::uint32_t columns, std::uint32_t count) {
+  CdrWriter written;
+  written.number(std::uint32_t{1}).number(rows).number(columns).number(count);
+  for (std::uint32_t i = 0; i < count; ++i) written.number(static_cast<float>(i));
+  return written.bytes();
+}
+
+TEST(ChannelReader, TheShapeOfAListIsThatOfTheRowsAndColumnsBesideIt) {
+  for (const auto& [rows, columns] :
+       {std::pair("rows", "cols"), std::pair("rows", "columns"), std::pair("height", "width")}) {
+    const auto type = type_of(fmt::format(
+        "pkg/Pad[] pads\n===\nMSG: pkg/Pad\nuint32 {}\nuint32 {}\nfloat32[] data\n", rows, columns));
+    const ChannelReader reader = ChannelReader::compile(type, {"pads[0].data"}).value();
+    EXPECT_EQ(reader.shape(pads_message(2, 3, 6)).value(), (Shape{2, 3})) << rows;
+    EXPECT_TRUE(reader.shape(pads_message(2, 3, 7)).value().empty());
+    EXPECT_TRUE(reader.shape(pads_message(0, 3, 3)).value().empty());
+    EXPECT_TRUE(reader.shape(pads_message(4294967295U, 4294967295U, 1)).value().empty());
+    EXPECT_EQ(reader.element_names(pads_message(1, 2, 2)).value()[1], "pads[0].data[1]");
+  }
+  const auto type = type_of("float32 rows\nfloat32[] data\n");
+  EXPECT_TRUE(ChannelReader::compile(type, {"data"}).has_value());
 }
 
 TEST(ChannelReader, ValuesBeforeTheOffsetOfAnArrayAreLeftOut) {

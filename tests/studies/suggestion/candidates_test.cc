@@ -16,7 +16,7 @@ Recording two_channels() {
 }
 
 CandidateGroup group_of(const Recording& recording) {
-  return {{0}, {channel_source("joints", recording.explorations[0].channels[0])}, {}};
+  return {{0}, {channel_source("joints", recording, 0)}, {}};
 }
 
 TEST(Candidates, AreAllCodesInAllScalings) {
@@ -33,7 +33,7 @@ TEST(Candidates, AreAllCodesInAllScalings) {
 
 TEST(Candidates, ThatCannotBeUsedAreKeptWithTheReason) {
   const Recording recording = testing::frames_as_given("touch", {{1, 2}, {1, 3}, {1, 5}});
-  CandidateGroup group{{0}, {channel_source("touch", recording.explorations[0].channels[0])}, {}};
+  CandidateGroup group{{0}, {channel_source("touch", recording, 0)}, {}};
   ASSERT_TRUE(compare_codes(recording, group, false, limits(9)).has_value());
   EXPECT_EQ(group.candidates[0].failure, "");
   EXPECT_EQ(group.candidates[2].failure, "a single element");
@@ -42,7 +42,7 @@ TEST(Candidates, ThatCannotBeUsedAreKeptWithTheReason) {
 
 TEST(Candidates, VectorsThatAreEqualAreNotCompared) {
   const Recording recording = testing::frames_as_given("touch", {{1, 2}, {5, 2}, {7, 2}});
-  CandidateGroup group{{0}, {channel_source("touch", recording.explorations[0].channels[0])}, {}};
+  CandidateGroup group{{0}, {channel_source("touch", recording, 0)}, {}};
   ASSERT_TRUE(compare_codes(recording, group, false, limits()).has_value());
   EXPECT_EQ(group.candidates[0].failure, "the same for all explorations");
 }
@@ -62,7 +62,7 @@ TEST(Candidates, PartsHaveUnitSpread) {
 TEST(Candidates, AProductIsScaledToUnitLength) {
   const Recording recording = two_channels();
   CandidateGroup group = group_of(recording);
-  const auto touch = channel_source("touch", recording.explorations[0].channels[1]);
+  const auto touch = channel_source("touch", recording, 1);
   group.sources[0].modules.push_back(touch.modules[0]);
   group.sources[0].outputs.push_back(touch.outputs[0]);
   ASSERT_TRUE(compare_product(recording, group, limits()).has_value());

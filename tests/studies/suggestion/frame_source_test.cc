@@ -32,7 +32,7 @@ TEST(FrameSource, ModulesAreNamedAfterTheirChannelsIfPossible) {
 
 TEST(FrameSource, OutputsTheFramesOfAChannel) {
   const Recording recording = testing::frames_as_given("touch", {{1, 2}, {3}});
-  const auto source = channel_source("touch", recording.explorations[0].channels[0]);
+  const auto source = channel_source("touch", recording, 0);
   const Recording frames = frames_of(recording, source, 1).value();
   EXPECT_EQ(values_of(frames, 0), (FloatValues{1, 2}));
   EXPECT_EQ(values_of(frames, 1), (FloatValues{3}));
@@ -42,8 +42,24 @@ TEST(FrameSource, MissingValuesAreReplacedByThePrecedingOnes) {
   Recording recording = testing::frames_as_given("touch", {{4, 0, 6}});
   Channel& channel = recording.explorations[0].channels[0];
   channel.valid = Matrix<std::uint8_t>(3, 1, {1, 0, 1});
-  const Recording frames = frames_of(recording, channel_source("touch", channel), 1).value();
+  const Recording frames = frames_of(recording, channel_source("touch", recording, 0), 1).value();
   EXPECT_EQ(values_of(frames, 0), (FloatValues{4, 4, 6}));
+}
+
+TEST(FrameSource, MissingValuesWithoutAPrecedingOneAreReplacedByTheMean) {
+  Recording recording = testing::frames_as_given("touch", {{4, 6}, {0, 8}});
+  recording.explorations[1].channels[0].valid = Matrix<std::uint8_t>(2, 1, {0, 1});
+  const Recording frames = frames_of(recording, channel_source("touch", recording, 0), 1).value();
+  EXPECT_EQ(values_of(frames, 0), (FloatValues{4, 6}));
+  EXPECT_EQ(values_of(frames, 1), (FloatValues{6, 8}));
+}
+
+TEST(FrameSource, MissingValuesOfSingleFramesAreReplacedByTheMeanOfTheirElement) {
+  Recording recording = testing::frames_as_given("touch", {{0}, {3}, {8}});
+  recording.explorations[0].channels[0].valid = Matrix<std::uint8_t>(1, 1, {0});
+  const FrameSource source = channel_source("touch", recording, 0);
+  EXPECT_FALSE(source.modules[0].settings.find("invalid"));
+  EXPECT_EQ(values_of(frames_of(recording, source, 1).value(), 0), FloatValues(1, 5.5F));
 }
 
 TEST(FrameSource, FindsAnOnsetThatVaries) {
@@ -54,7 +70,7 @@ TEST(FrameSource, FindsAnOnsetThatVaries) {
   EXPECT_EQ(onset->threshold, 2.0);  // a fifth of 10
   EXPECT_EQ(onset->length, 10U);
   const auto source =
-      from_onset(channel_source("touch", frames.explorations[0].channels[0]), *onset);
+      from_onset(channel_source("touch", frames, 0), *onset);
   EXPECT_EQ(values_of(frames_of(frames, source, 1).value(), 2), FloatValues(10, 12.0F));
 }
 

@@ -13,9 +13,9 @@ using Names = std::vector<std::string>;
 CandidateGroup group_of(const std::string& channel, const Recording& recording,
                         std::size_t number) {
   CandidateGroup group{
-      {number}, {channel_source(channel, recording.explorations[0].channels[number])}, {}};
+      {number}, {channel_source(channel, recording, number)}, {}};
   group.sources[0].modules.push_back(
-      channel_source("unused", recording.explorations[0].channels[0]).modules[0]);
+      channel_source("unused", recording, 0).modules[0]);
   FrameFacts facts;
   facts.most_frames = 1;
   group.candidates.push_back(

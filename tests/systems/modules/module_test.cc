@@ -127,6 +127,50 @@ TEST(Module, ChannelTreatsInvalidValuesAsSet) {
       << to_string(refused.error());
 }
 
+TEST(Module, ChannelFillsInvalidValuesWithNumbers) {
+  Recording recording = hand_recording(1, 7);
+  Channel& channel = recording.explorations[0].channels[0];
+  channel.frames = Matrix<float>(4, 1, {0, 5, 0, 0});
+  channel.valid = Matrix<std::uint8_t>(4, 1, {0, 1, 0, 0});
+  const auto given = [&](const std::string& settings) {
+    const System system =
+        build(module("m", "channel", "channel = \"height\"\n" + settings), recording);
+    return dense(output_of(system, recording, "m", 0));
+  };
+  EXPECT_EQ(given("fill = 2.5"), Matrix<float>(4, 1, {2.5F, 5, 2.5F, 2.5F}));
+  EXPECT_EQ(given("fill = [2.5]\ninvalid = \"hold\""), Matrix<float>(4, 1, {2.5F, 5, 5, 5}));
+}
+
+TEST(Module, ChannelFillsEachSelectedElementWithItsOwnNumber) {
+  Recording recording = hand_recording(1, 7);
+  Channel& joints = recording.explorations[0].channels[1];
+  ASSERT_EQ(joints.name, "joints");
+  joints.valid = Matrix<std::uint8_t>(joints.frames.rows(), joints.frames.columns(), 1);
+  joints.valid(0, 1) = 0;
+  joints.valid(0, 2) = 0;
+  const System system = build(module("m", "channel",
+                                     "channel = \"joints\"\nelements = [3, 1, 2]\n"
+                                     "fill = [30, 10, 20]"),
+                              recording);
+  const Matrix<float> given = dense(output_of(system, recording, "m", 0));
+  EXPECT_EQ(given(0, 0), 30.0F);
+  EXPECT_EQ(given(0, 1), joints.frames(0, 0));
+  EXPECT_EQ(given(0, 2), 20.0F);
+}
+
+TEST(Module, ChannelRefusesFillsThatDoNotFit) {
+  const Recording recording = hand_recording(1, 7);
+  const auto refused = [&](const std::string& settings) {
+    const auto wrong = testing::try_build(
+        module("m", "channel", "channel = \"joints\"\n" + settings), recording);
+    return wrong ? std::string() : to_string(wrong.error());
+  };
+  EXPECT_NE(refused("fill = [1, 2]").find("'fill' has 2 numbers for 3 elements"),
+            std::string::npos);
+  EXPECT_NE(refused("fill = 1\ninvalid = \"zero\"").find("exclude each other"),
+            std::string::npos);
+}
+
 TEST(Module, OneHotPutsAOneInTheBinOfEachElement) {
   const auto oracle = [](const Recording& r, std::size_t i) {
     const Matrix<float>& joints = frames_of(r, "joints", i);
