@@ -29,6 +29,12 @@ enum class Unmentioned {
   kIgnore,  ///< They are ignored.
 };
 
+/// Treatment of the rows at the end that do not fill a window.
+enum class IncompleteWindow {
+  kLeaveOut,  ///< They are left out and counted.
+  kKeep,      ///< They are a shorter exploration.
+};
+
 /// Meaning of a row of a file.
 enum class CsvRows {
   kFrames,        ///< A frame of the file's exploration, or of one of its windows.
@@ -44,6 +50,7 @@ struct CsvTrials {
   std::optional<std::size_t>
       window;               ///< Number of rows of an exploration; without it: all rows of the file.
   std::size_t overlap = 0;  ///< Number of rows that a window shares with the preceding one.
+  IncompleteWindow incomplete = IncompleteWindow::kLeaveOut;
   bool header = true;
   DecimalMark decimal = DecimalMark::kPoint;
   std::vector<std::string> time;  ///< A column; or two, with dates and times of day.
@@ -77,6 +84,10 @@ struct CsvImport {
 };
 
 template <>
+struct Choices<IncompleteWindow> {
+  static const std::vector<std::pair<IncompleteWindow, std::string>>& all();
+};
+template <>
 struct Choices<CsvRows> {
   static const std::vector<std::pair<CsvRows, std::string>>& all();
 };
@@ -95,7 +106,7 @@ struct Choices<Unmentioned> {
 
 /// Checks the consistency of the description. Errors (kUsage) name the key: no labels, an invalid
 /// pattern, both time and rate, two columns of times without ISO 8601, an overlap without a window
-/// or not below it, rows that are explorations with a window, time or rate, a column of
+/// or not below it, 'incomplete' without a window, rows that are explorations with a window, time or rate, a column of
 /// explorations with a window or such rows, two labels with the same name, no channels, two
 /// channels with the same name, a channel with neither columns nor label or with both, a column
 /// used twice, an invalid range, a shape that the columns do not fill.
@@ -126,7 +137,7 @@ struct CsvImportReport {
 /// path of the file as source. Explorations from divided files have the labels `file`, the path
 /// below the folder, and `window` or `row`, which counts from 1 in each file. Windows begin window
 /// - overlap rows apart, and restart where a label of a column changes; rows that do not fill a
-/// window are left out.
+/// window are left out, or are a shorter one.
 ///
 /// A channel of columns has one frame per row and the columns as names of its elements; a channel
 /// from a label has one frame, and neither times nor rate. A pattern includes the columns that

@@ -71,6 +71,12 @@ const std::vector<std::pair<CsvRows, std::string>>& Choices<CsvRows>::all() {
   return choices;
 }
 
+const std::vector<std::pair<IncompleteWindow, std::string>>& Choices<IncompleteWindow>::all() {
+  static const std::vector<std::pair<IncompleteWindow, std::string>> choices{
+      {IncompleteWindow::kLeaveOut, "leave_out"}, {IncompleteWindow::kKeep, "keep"}};
+  return choices;
+}
+
 const Declarations<CsvTrials>& CsvTrials::declarations() {
   using P = CsvTrials;
   static const auto declared =
@@ -94,6 +100,9 @@ const Declarations<CsvTrials>& CsvTrials::declarations() {
                "exploration.")
           .add("overlap", &P::overlap, "", Range::at_least(0),
                "Number of rows that a window shares with the preceding one.")
+          .add("incomplete", &P::incomplete, "", Range::any(),
+               "Whether the rows at the end that do not fill a window are left out and counted, or "
+               "kept as a shorter exploration.")
           .add("header", &P::header, "", Range::any(),
                "Whether the first line contains the names of the columns; otherwise they are named "
                "1, 2, 3 and so on.")

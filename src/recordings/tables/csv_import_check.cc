@@ -51,6 +51,9 @@ Result<void> check_window(const CsvTrials& trials) {
   if (trials.overlap > 0 && !trials.window) {
     return wrong("there is 'overlap', but no 'window'", "write for example window = 500");
   }
+  if (trials.incomplete == IncompleteWindow::kKeep && !trials.window) {
+    return wrong("'incomplete' has no effect without 'window'", "write for example window = 500");
+  }
   if (!trials.window || trials.overlap < *trials.window) return {};
   return wrong(fmt::format("'overlap' is {}, which is not below 'window', {}", trials.overlap,
                            *trials.window),

@@ -36,10 +36,15 @@ CsvWindows windows_of(const CsvTrials& trials, const std::vector<LabelledRows>& 
     const std::size_t end = parts[p].first + parts[p].rows;
     const std::size_t size =
         trials.rows == CsvRows::kExplorations ? 1 : trials.window.value_or(parts[p].rows);
-    std::size_t covered = parts[p].first;
-    for (std::size_t first = covered; end - first >= size; first += size - trials.overlap) {
+    std::size_t first = parts[p].first;
+    std::size_t covered = first;
+    for (; end - first >= size; first += size - trials.overlap) {
       found.windows.push_back({first, size, p});
       covered = first + size;
+    }
+    if (trials.incomplete == IncompleteWindow::kKeep && covered < end) {
+      found.windows.push_back({first, end - first, p});
+      covered = end;
     }
     found.left_out += end - covered;
   }

@@ -87,6 +87,24 @@ TEST_F(ImportWindows, Overlap) {
   EXPECT_EQ(report_.rows_left_out, 1U);
 }
 
+TEST_F(ImportWindows, AnIncompleteOneIsKeptOnRequest) {
+  plan_.trials.incomplete = IncompleteWindow::kKeep;
+  count("a.csv", 8);
+  count("b.csv", 2);
+  count("c.csv", 3);
+  EXPECT_EQ(imported(), (Names{"a a.csv 1 012", "a a.csv 2 345", "a a.csv 3 67", "b b.csv 1 01",
+                               "c c.csv 1 012"}));
+  EXPECT_EQ(report_.rows_left_out, 0U);
+  plan_.trials.overlap = 2;
+  EXPECT_EQ(imported().back(), "c c.csv 1 012");
+  plan_.trials.overlap = 1;
+  EXPECT_EQ(imported()[3], "a a.csv 4 67");
+  plan_.trials.overlap = 0;
+  plan_.trials.window.reset();
+  EXPECT_EQ(refusal(), "incomplete: 'incomplete' has no effect without 'window'; write for example "
+                       "window = 500");
+}
+
 TEST_F(ImportWindows, DoNotCrossAChangeOfLabel) {
   plan_.trials.labels = {"what", "day"};
   folder_.with("a.csv",

@@ -56,7 +56,7 @@ TEST(FrameSource, MissingValuesWithoutAPrecedingOneAreReplacedByTheMean) {
 
 TEST(FrameSource, MissingValuesOfSingleFramesAreReplacedByTheMeanOfTheirElement) {
   Recording recording = testing::frames_as_given("touch", {{0}, {3}, {8}});
-  recording.explorations[0].channels[0].valid = Matrix<std::uint8_t>(1, 1, {0});
+  recording.explorations[0].channels[0].valid = Matrix<std::uint8_t>(1, 1, 0);
   const FrameSource source = channel_source("touch", recording, 0);
   EXPECT_FALSE(source.modules[0].settings.find("invalid"));
   EXPECT_EQ(values_of(frames_of(recording, source, 1).value(), 0), FloatValues(1, 5.5F));
