@@ -75,7 +75,7 @@ it("shows where the focus is", async () => {
 });
 
 const kControls =
-  "button:visible:enabled, select:visible:enabled, input:visible:enabled:not([type=radio]), input[type=radio]:checked, [tabindex='0']:visible";
+  "button:visible:enabled, summary:visible, select:visible:enabled, input:visible:enabled:not([type=radio]), input[type=radio]:checked, [tabindex='0']:visible";
 
 /** The controls that Tab comes by on its way around the page; `at` is done at each. */
 async function reachedByTab(at: () => Promise<void> = async () => undefined): Promise<number> {

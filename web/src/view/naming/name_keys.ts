@@ -1,5 +1,5 @@
-// The names with their keys, their counts, what follows by the plan, and undo. While this is open, the
-// keys 1 to 9 give names; the browser keeps whether it is open.
+// The names with their keys and counts, and what follows by the plan. While this is open, the keys 1
+// to 9 give names; the browser keeps whether it is open.
 
 import { element, fill, write } from "../../parts/dom";
 import { keep, kept } from "../../parts/kept";
@@ -9,16 +9,14 @@ import type { Model } from "../session/model";
 import type { Namer } from "./namer";
 
 const kKey = "somato-name-keys";
-export const kKeyed = 9; // names
+const kKeyed = 9; // names
 
 export class NameKeys {
   readonly root: HTMLDetailsElement;
   private readonly list = element("ul", { class: "name-key-list", "aria-label": "Names" });
   private readonly none = element("p", { class: "muted" }, ["No name yet: press n to type one."]);
-  private readonly next = element("p", { class: "name-key-next" });
+  private readonly next = element("p", { class: "name-key-row" });
   private readonly nextWords = element("span");
-  private readonly last = element("p", { class: "name-key-last" });
-  private readonly lastWords = element("span");
   private readonly each = element("input", { type: "number", min: 0, max: 1000, placeholder: "–" });
   private listed = "";
   private isChosen = false; // open or not, by the user
@@ -28,16 +26,15 @@ export class NameKeys {
     private readonly namer: Namer,
     tones: Tones,
   ) {
-    fill(this.next, [this.nextWords, button("Give it", "Give this name (0 or Enter)", () => namer.accept())]);
-    fill(this.last, [this.lastWords, button("Undo", "Take back the last name (u)", () => namer.undo())]);
+    const accept = { type: "button", title: "Give this name (0 or Enter)", onclick: () => namer.accept() };
+    fill(this.next, [this.nextWords, element("button", accept, ["Give it"])]);
     this.root = element("details", { class: "name-keys" }, [
       element("summary", { title: "While this is open, the keys 1 to 9 give names" }, ["Names by keys"]),
       this.list,
       this.none,
       this.next,
-      this.last,
-      element("div", { class: "name-key-settings" }, [
-        element("label", {}, ["Of each: ", this.each]),
+      element("div", { class: "name-key-row" }, [
+        element("label", {}, ["Of each", this.each]),
         soundSwitch(tones),
       ]),
     ]);
@@ -52,7 +49,7 @@ export class NameKeys {
   }
 
   private show(state: State): void {
-    const { names, each, next, last } = state.naming;
+    const { names, each, next } = state.naming;
     this.root.hidden = state.exploration === null && names.length === 0;
     if (!this.isChosen) this.root.open = isOpenAtFirst(state);
     this.showNames(state);
@@ -60,8 +57,6 @@ export class NameKeys {
     this.next.hidden = each === null;
     this.next.querySelector("button")!.hidden = next === null;
     write(this.nextWords, next === null ? "The plan is fulfilled." : `Next: ${next.name}, ${next.number} of ${each}`);
-    this.last.hidden = last === null;
-    write(this.lastWords, last === null ? "" : `Exploration ${last.exploration + 1}: ${last.name}`);
     if (document.activeElement !== this.each) this.each.value = String(each ?? "");
   }
 
@@ -74,7 +69,8 @@ export class NameKeys {
       this.list,
       names.map(({ name, explorations }, i) => {
         const count = each === null ? `${explorations}` : `${explorations} of ${each}`;
-        const parts = [keyCap(i), element("span", { class: "name-key-name" }, [name]), element("span", { class: "muted" }, [count])];
+        const key = i < kKeyed ? element("kbd", {}, [String(i + 1)]) : null;
+        const parts = [key, element("span", {}, [name]), element("span", { class: "muted" }, [count])];
         const attributes = { type: "button", class: "name-key", "aria-pressed": String(name === given) };
         const one = element("button", { ...attributes, onclick: () => this.namer.give(name) }, parts);
         one.classList.toggle("next", name === next?.name);
@@ -94,24 +90,16 @@ export class NameKeys {
   }
 }
 
-/** For what a body explores and for a plan, unless the user has chosen otherwise. */
-function isOpenAtFirst({ source, naming }: State): boolean {
+/** For what a body explores, except in a demonstration, and for a plan, unless the user has chosen otherwise. */
+function isOpenAtFirst({ source, naming, demonstrated }: State): boolean {
   const chosen = kept(kKey);
   if (chosen !== null) return chosen === "on";
-  return source === "body" || naming.each !== null;
-}
-
-function keyCap(place: number): HTMLElement {
-  return element("kbd", {}, [place < kKeyed ? String(place + 1) : ""]);
-}
-
-function button(words: string, title: string, onclick: () => void): HTMLButtonElement {
-  return element("button", { type: "button", title, onclick }, [words]);
+  return (source === "body" && demonstrated === null) || naming.each !== null;
 }
 
 function soundSwitch(tones: Tones): HTMLElement {
   const box = element("input", { type: "checkbox" });
   box.addEventListener("change", () => tones.turn(box.checked));
   tones.isOn.watch((on) => (box.checked = on));
-  return element("label", {}, [box, " Sound"]);
+  return element("label", {}, [box, "Sound"]);
 }

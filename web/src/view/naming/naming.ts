@@ -1,6 +1,6 @@
 // The name of what is touched. A click changes it: the label of the current exploration.
 
-import { element, fill } from "../../parts/dom";
+import { element, fill, write } from "../../parts/dom";
 import type { State } from "../data";
 import { KnownNames, labelOf } from "./known_names";
 import type { Model } from "../session/model";
@@ -11,6 +11,7 @@ import { kUnknown } from "./truth";
 export class Naming {
   readonly root = element("div", { class: "naming" });
   private readonly name = element("button", { type: "button", class: "naming-name" });
+  private readonly undo = element("button", { type: "button", class: "naming-undo", title: "Take back the last name (u)" });
   private readonly known = new KnownNames();
   private readonly input = element("input", {
     type: "text",
@@ -33,7 +34,8 @@ export class Naming {
       cancel,
       this.known.root,
     ]);
-    fill(this.root, [this.name, this.form, note.root]);
+    fill(this.root, [this.name, this.form, this.undo, note.root]);
+    this.undo.addEventListener("click", () => this.namer.undo());
     this.name.addEventListener("click", () => this.edit(true));
     this.form.addEventListener("submit", (event) => this.submit(event));
     this.form.addEventListener("keydown", (event) => event.key === "Escape" && this.edit(false));
@@ -50,6 +52,9 @@ export class Naming {
     ]);
     this.name.title = `Change the name of what is touched in this exploration${state.teaches ? "; the system learns it" : ""}`;
     this.known.show(state);
+    const last = state.naming.last;
+    this.undo.hidden = last === null;
+    write(this.undo, last === null ? "" : `Undo “${last.name}” of exploration ${last.exploration + 1}`);
   }
 
   edit(edits: boolean): void {
