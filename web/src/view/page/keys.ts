@@ -3,7 +3,7 @@
 import type { Panel } from "./panel";
 import type { Transport } from "./transport";
 
-/** What the keys of names do, while `isOn`. */
+/** The actions of the keys of names, while `isOn`. */
 export interface NamingTarget {
   readonly isOn: boolean;
   prepare(): void;
@@ -59,7 +59,7 @@ function isModal(): boolean {
 export type NamingKey = number | "accept" | "undo" | "type";
 type Pressed = Pick<KeyboardEvent, "key" | "code" | "shiftKey" | "ctrlKey" | "metaKey">;
 
-/** What a pressed key means while names are given by keys; null: nothing. */
+/** The meaning of a pressed key while names are given by keys; null: none. */
 export function namingKey(event: Pressed): NamingKey | null {
   const letter = event.key.toLowerCase();
   if (event.ctrlKey || event.metaKey) return letter === "z" && !event.shiftKey ? "undo" : null;
