@@ -535,7 +535,7 @@ Result<void> Player::name(const NameCommand& command) {
   if (index != played->index && index >= kept_.count()) {
     return not_now(fmt::format("there is no exploration {}", index + 1));
   }
-  const auto named = kept_.name(index, command.label);
+  auto named = kept_.name(index, command.label);
   if (!named && named.error().kind != ErrorKind::kSystem) return named;
   if (index < kept_.count() && command.label.name == chosen_.answered_label()) teach_given(index);
   return check_saved(named);
@@ -546,7 +546,7 @@ Result<void> Player::undo_name(std::size_t exploration) {
   if (names().last() == nullptr) return not_now("there is no name to undo");
   const GivenName last = *names().last();
   if (last.exploration != exploration) return not_now("another name was given meanwhile");
-  const auto undone = kept_.take_back_name();
+  auto undone = kept_.take_back_name();
   if (!undone && undone.error().kind != ErrorKind::kSystem) return undone;
   forget_taught(last);
   return check_saved(undone);

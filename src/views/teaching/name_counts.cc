@@ -14,6 +14,7 @@ std::vector<NameCount>::iterator find(std::vector<NameCount>& counts, const std:
 
 std::vector<NameCount> NameCounts::planned() const {
   std::vector<NameCount> counts;
+  counts.reserve(planned_.size());
   for (const std::string& name : planned_) counts.push_back({name, 0});
   return counts;
 }
