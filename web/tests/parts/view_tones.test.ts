@@ -31,18 +31,18 @@ function stubBrowser(): void {
   });
 }
 
-const heard = () => FakeAudio.hertz.splice(0);
+const played = () => FakeAudio.hertz.splice(0);
 afterEach(() => vi.unstubAllGlobals());
 
 test("a name that is confirmed, undone or refused sounds different", () => {
   stubBrowser();
   const tones = new Tones();
   tones.play("done");
-  const done = heard();
+  const done = played();
   tones.play("undone");
-  const undone = heard();
+  const undone = played();
   tones.play("refused");
-  const refused = heard();
+  const refused = played();
   expect([done.length, undone.length, refused.length]).toEqual([1, 2, 2]);
   expect(undone[1]).toBeLessThan(undone[0]!);
   expect(refused[0]).toBeLessThan(undone[1]!);
@@ -55,14 +55,14 @@ test("tones that are switched off stay off when the page is opened again", () =>
   tones.play("done");
   const again = new Tones();
   again.play("refused");
-  expect([again.isOn.value, heard()]).toEqual([false, []]);
+  expect([again.isOn.value, played()]).toEqual([false, []]);
   again.turn(true);
   again.play("done");
-  expect([new Tones().isOn.value, heard().length]).toEqual([true, 1]);
+  expect([new Tones().isOn.value, played().length]).toEqual([true, 1]);
 });
 
 test("a page without sound, or without storage, works", () => {
   const tones = new Tones();
   tones.play("done");
-  expect([tones.isOn.value, heard()]).toEqual([true, []]);
+  expect([tones.isOn.value, played()]).toEqual([true, []]);
 });
