@@ -114,7 +114,7 @@ TEST_F(GrowingRecordingTest, HasTheExplorationInProgress) {
   EXPECT_EQ(now.explorations[1].channels[0].frames.rows(), 5U);
 }
 
-// Not half a second later: the program may be killed as soon as a name was confirmed.
+// The program may be killed as soon as a name was confirmed.
 TEST_F(GrowingRecordingTest, HasTheNameOfTheExplorationInProgressAtOnce) {
   const auto file = begin();
   draft(*file, 5);
@@ -218,6 +218,11 @@ TEST_F(GrowingRecordingTest, IsSynchronizedBeforeTheEndOfAnExplorationIsReported
   }
   files.trace.clear();
   ASSERT_TRUE(file->name(0, {"object", "cup"}));
+  EXPECT_EQ(files.trace.back(), "flush hand.mcap.partial");
+  draft(*file);
+  files.trace.clear();
+  ASSERT_TRUE(file->name(3, {"object", "cup"})) << "while it takes place";
+  ASSERT_FALSE(files.trace.empty());
   EXPECT_EQ(files.trace.back(), "flush hand.mcap.partial");
 }
 
