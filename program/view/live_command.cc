@@ -14,6 +14,7 @@
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
 #include "view/live_source.h"
+#include "view/planned_names.h"
 #include "view/reading_session.h"
 #include "view/view_serving.h"
 #include "view/view_systems.h"
@@ -29,7 +30,7 @@ void print_note(const std::string& text) {
 }
 
 Result<void> check_output_flags(const Arguments& arguments) {
-  for (const std::string flag : {"port", "address", "allow-others"}) {
+  for (const std::string flag : {"port", "address", "allow-others", "names", "each"}) {
     if (!arguments.has(flag) || arguments.has("view")) continue;
     return fail(ErrorKind::kUsage, "has no effect without the view", "--" + flag, "add --view");
   }
@@ -95,6 +96,7 @@ Result<ViewSource> read_live_source(const Arguments& arguments) {
   }
   source.systems.push_back(std::move(system));
   source.system = 0;
+  SOMATO_TRY_VOID(plan_names(arguments, source));
   return source;
 }
 
@@ -201,6 +203,7 @@ Command live_command() {
        page_memory_flag()},
       {},
       run_live};
+  for (Flag& flag : planned_name_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : server_flags()) command.flags.push_back(std::move(flag));
   return command;

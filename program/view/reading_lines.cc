@@ -98,4 +98,8 @@ std::string taught_line(const live::TaughtName& name) {
   return json_line(line);
 }
 
+std::string forgotten_line(const GivenName& name) {
+  return json_line({{"exploration", name.exploration + 1}, {"forgotten", name.label.value}});
+}
+
 }  // namespace somato::program

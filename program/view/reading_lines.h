@@ -16,4 +16,7 @@ std::string final_line(const live::SaidReading& said, const Exploration& explora
 /// The result of teaching the system a name, as one line of JSON.
 std::string taught_line(const live::TaughtName& name);
 
+/// A name that the system has forgotten, as one line of JSON.
+std::string forgotten_line(const GivenName& name);
+
 }  // namespace somato::program

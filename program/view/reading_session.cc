@@ -26,6 +26,7 @@ live::ReadingSink ReadingSession::sink() {
     sink.name_of = [this](const live::SaidReading& said) { return name_of(said); };
   }
   sink.on_taught = [this](const live::TaughtName& name) { return note_taught(name); };
+  sink.on_forgotten = [this](const GivenName& name) { return note_forgotten(name); };
   sink.on_failure = [this](const Error& failure) { report(failure); };
   sink.on_unsaved = [this](const Error& error) { report_unsaved(error); };
   sink.on_done = [this](const Result<void>& outcome) { end(outcome); };
@@ -49,14 +50,20 @@ std::optional<std::string> ReadingSession::name_of(const live::SaidReading& said
 
 Result<void> ReadingSession::note_taught(const live::TaughtName& name) {
   if (name.problem.empty()) {
-    ++taught_;
+    taught_.insert(name.exploration);
   } else {
+    taught_.erase(name.exploration);
     std::fputs(fmt::format("somato: exploration {}: the name '{}' was not learned: {}\n",
                            name.exploration + 1, printable(name.name), printable(name.problem))
                    .c_str(),
                stderr);
   }
   return output_.write(taught_line(name));
+}
+
+Result<void> ReadingSession::note_forgotten(const GivenName& name) {
+  taught_.erase(name.exploration);
+  return output_.write(forgotten_line(name));
 }
 
 void ReadingSession::report(const Error& failure) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -29,8 +30,8 @@ class ReadingSession {
     waits_ = waits;
   }
 
-  /// The number of names that were learned.
-  std::size_t taught() const { return taught_; }
+  /// The number of explorations whose names were learned.
+  std::size_t taught() const { return taught_.size(); }
 
   /// Receives the readings of a player; must not outlive this object.
   live::ReadingSink sink();
@@ -47,6 +48,7 @@ class ReadingSession {
   Result<void> begin(const Exploration& exploration);
   std::optional<std::string> name_of(const live::SaidReading& said);
   Result<void> note_taught(const live::TaughtName& name);
+  Result<void> note_forgotten(const GivenName& name);
   void report(const Error& failure);
   void report_unsaved(const Error& error);
   void end(const Result<void>& outcome);
@@ -58,7 +60,7 @@ class ReadingSession {
   NameInput names_;
   bool takes_names_ = false;
   bool waits_ = false;
-  std::size_t taught_ = 0;
+  std::set<std::size_t> taught_;  // explorations
   bool is_checked_ = false;
   std::size_t failures_ = 0;
   bool is_unsaved_ = false;

@@ -19,6 +19,7 @@
 #include "recordings/study_data.h"
 #include "terminal/terminal.h"
 #include "view/browser.h"
+#include "view/planned_names.h"
 #include "view/view_preparation.h"
 #include "view/view_rendering.h"
 #include "view/view_serving.h"
@@ -139,6 +140,7 @@ Result<ViewSource> read_source(const Arguments& arguments) {
     source->system = 0;
   }
   if (!source->system && !source->systems.empty()) source->system = 0;
+  SOMATO_TRY_VOID(plan_names(arguments, *source));
   return source;
 }
 
@@ -229,6 +231,7 @@ Command view_command() {
       {},
       run_view};
   for (Flag& flag : rendering_flags()) command.flags.push_back(std::move(flag));
+  for (Flag& flag : planned_name_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : server_flags()) command.flags.push_back(std::move(flag));
   return command;

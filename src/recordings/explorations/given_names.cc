@@ -15,7 +15,28 @@ Label& find_or_add(std::vector<Label>& labels, const std::string& name) {
 }  // namespace
 
 void GivenNames::give(std::size_t exploration, const Label& label) {
+  std::optional<std::string> before = given(exploration, label.name);
+  if (before == label.value) return;
   given_[exploration][label.name] = label.value;
+  order_.push_back({exploration, label, std::move(before)});
+}
+
+void GivenNames::take_back() {
+  const GivenName last = std::move(order_.back());
+  order_.pop_back();
+  auto& labels = given_[last.exploration];
+  if (last.before) {
+    labels[last.label.name] = *last.before;
+    return;
+  }
+  labels.erase(last.label.name);
+  if (labels.empty()) given_.erase(last.exploration);
+  forgotten_.insert(last.label.name);
+}
+
+void GivenNames::forget(std::size_t exploration) {
+  given_.erase(exploration);
+  std::erase_if(order_, [&](const GivenName& one) { return one.exploration == exploration; });
 }
 
 void GivenNames::forget_before(std::size_t first) {
@@ -24,6 +45,7 @@ void GivenNames::forget_before(std::size_t first) {
     for (const auto& [name, value] : gone->second) forgotten_.insert(name);
   }
   given_.erase(given_.begin(), end);
+  std::erase_if(order_, [&](const GivenName& one) { return one.exploration < first; });
 }
 
 std::optional<std::string> GivenNames::given(std::size_t exploration,

@@ -12,17 +12,32 @@
 
 namespace somato {
 
+/// A label that an exploration was given, and the value that it had been given before.
+struct GivenName {
+  std::size_t exploration = 0;
+  Label label;
+  std::optional<std::string> before;
+};
+
 /// Labels that viewers gave to explorations, such as the name of what was touched. They stand
 /// beside the recording, which other threads may read.
 class GivenNames {
  public:
-  /// Gives a label to the exploration with that index, which may not have ended yet.
+  /// Gives a label to the exploration with that index, which may not have ended yet. The same value
+  /// again changes nothing.
   void give(std::size_t exploration, const Label& label);
 
-  /// Takes back what was given to an exploration that was discarded.
-  void forget(std::size_t exploration) { given_.erase(exploration); }
+  /// The label that was given last and can be taken back, or nullptr.
+  const GivenName* last() const { return order_.empty() ? nullptr : &order_.back(); }
 
-  /// Takes back what was given to the explorations before `first`, which are no longer kept. Their
+  /// Takes back last(), which exists: the exploration has the value that it was given before, or
+  /// none. The label remains one of all explorations.
+  void take_back();
+
+  /// Forgets what was given to an exploration that was discarded.
+  void forget(std::size_t exploration);
+
+  /// Forgets what was given to the explorations before `first`, which are no longer kept. Their
   /// labels remain names of labels of all explorations.
   void forget_before(std::size_t first);
 
@@ -41,7 +56,8 @@ class GivenNames {
 
  private:
   std::map<std::size_t, std::map<std::string, std::string>> given_;
-  std::set<std::string> forgotten_;  // names of labels of explorations that are no longer kept
+  std::set<std::string> forgotten_;  // names of labels that were given and are no longer kept
+  std::vector<GivenName> order_;     // in which they were given
 };
 
 }  // namespace somato

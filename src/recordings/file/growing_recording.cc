@@ -217,6 +217,11 @@ Result<void> GrowingRecording::add_to_partial(const Exploration& exploration) {
   return {};
 }
 
+Result<void> GrowingRecording::label_at_once(std::uint64_t index, const Label& label) {
+  return with_advice(
+      partial_->label(index, label).and_then([&] { return partial_->synchronize(); }));
+}
+
 Result<void> GrowingRecording::name(std::size_t exploration, const Label& label) {
   if (!partial_) {
     return fail(ErrorKind::kUsage, "this exploration is written already", path_,
@@ -227,12 +232,10 @@ Result<void> GrowingRecording::name(std::size_t exploration, const Label& label)
                 path_, "give a name before the next exploration begins");
   }
   if (exploration < count()) {
-    return with_advice(partial_->label(added_[exploration - before_], label).and_then([&] {
-      return partial_->synchronize();
-    }));
+    return label_at_once(added_[exploration - before_], label);
   }
   next_labels_.push_back(label);
-  return draft_ ? with_advice(partial_->label(*draft_, label)) : Result<void>();
+  return draft_ ? label_at_once(*draft_, label) : Result<void>();
 }
 
 Result<void> GrowingRecording::finish() {

@@ -82,8 +82,8 @@ class GrowingRecording {
 
   /// Gives a label to the exploration of that number, of those that were added; that of the draft
   /// has the number count(), which is kept until it is added. It is on the disk when this returns,
-  /// that of a draft when it is added. Errors: kUsage if it is in a file that is complete; those of
-  /// RecordingWriter.
+  /// together with the frames of a draft so far. Errors: kUsage if it is in a file that is
+  /// complete; those of RecordingWriter.
   Result<void> name(std::size_t exploration, const Label& label);
 
   /// Completes the recording; nothing follows. Without an exploration nothing changes at the path.
@@ -103,6 +103,7 @@ class GrowingRecording {
   Result<void> add_valid(Exploration exploration);
   Result<void> add_to_partial(const Exploration& exploration);
   Result<void> label_next(std::uint64_t index);
+  Result<void> label_at_once(std::uint64_t index, const Label& label);
   Result<void> end_open();
   Result<void> copy() const;
   Result<void> check_copy() const;

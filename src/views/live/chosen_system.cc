@@ -50,6 +50,11 @@ const TaughtName& ChosenSystem::teach(std::size_t exploration, const std::string
   return taught;
 }
 
+void ChosenSystem::take_back(const GivenName& name) {
+  teachers_.take_back(name);
+  use();
+}
+
 std::vector<TaughtName> ChosenSystem::taught_names() const {
   return number_ ? teachers_.names(*number_) : std::vector<TaughtName>();
 }

@@ -42,6 +42,9 @@ class ChosenSystem {
   /// Teaches the name of an exploration to a system that learns names.
   const TaughtName& teach(std::size_t exploration, const std::string& name);
 
+  /// See Teachers.
+  void take_back(const GivenName& name);
+
   std::vector<TaughtName> taught_names() const;
   bool is_taught(std::size_t exploration) const;
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "views/live/naming_state.h"
 #include "views/live/view_state.h"
 #include "views/session/view_json.h"
 
@@ -126,30 +127,35 @@ bool Player::is_complete() const {
 
 Result<void> Player::handle(const ViewCommand& command) {
   audience_.take_command();
-  return std::visit(Overloaded{[&](const PlayCommand&) { return play(); },
-                               [&](const PauseCommand&) -> Result<void> {
-                                 rest();
-                                 return {};
-                               },
-                               [&](const StepCommand& one) { return step(one.frames); },
-                               [&](const SeekCommand& one) { return seek(one); },
-                               [&](const SpeedCommand& one) -> Result<void> {
-                                 pace_.speed = one.speed;
-                                 return {};
-                               },
-                               [&](const ThingCommand& one) { return choose_thing(one.name); },
-                               [&](const PlacementCommand& one) { return place(one.placement); },
-                               [&](const ExploreCommand&) { return begin_exploring(); },
-                               [&](const NameCommand& one) { return name(one.label); },
-                               [&](const SystemCommand& one) { return chosen_.choose(one.name); },
-                               [&](const DismissCommand&) -> Result<void> {
-                                 problem_.clear();
-                                 return {};
-                               },
-                               [&](const auto&) -> Result<void> {
-                                 return not_now("the command is not supported");
-                               }},
-                    command);
+  return std::visit(
+      Overloaded{
+          [&](const PlayCommand&) { return play(); },
+          [&](const PauseCommand&) -> Result<void> {
+            rest();
+            return {};
+          },
+          [&](const StepCommand& one) { return step(one.frames); },
+          [&](const SeekCommand& one) { return seek(one); },
+          [&](const SpeedCommand& one) -> Result<void> {
+            pace_.speed = one.speed;
+            return {};
+          },
+          [&](const ThingCommand& one) { return choose_thing(one.name); },
+          [&](const PlacementCommand& one) { return place(one.placement); },
+          [&](const ExploreCommand&) { return begin_exploring(); },
+          [&](const NameCommand& one) { return name(one); },
+          [&](const UndoNameCommand& one) { return undo_name(one.exploration); },
+          [&](const PlanCommand& one) -> Result<void> {
+            kept_.plan(one.each);
+            return {};
+          },
+          [&](const SystemCommand& one) { return chosen_.choose(one.name); },
+          [&](const DismissCommand&) -> Result<void> {
+            problem_.clear();
+            return {};
+          },
+          [&](const auto&) -> Result<void> { return not_now("the command is not supported"); }},
+      command);
 }
 
 void Player::on_viewers(std::size_t viewers) {
@@ -370,6 +376,7 @@ std::string Player::state_text() const {
   state.taught = chosen_.taught_names();
   state.training = training_;
   state.demonstrated = plan_.rounds();
+  state.naming = naming_json(kept_, replay_.played(), replay_.reader().picture().label);
   state.losses = losses();
   state.clients = hub_.viewers();
   state.awaits_start = audience_.awaits_command();
@@ -518,15 +525,48 @@ void Player::report(const Result<void>& saved) {
   replay_.tap().say_unsaved(saved.error());
 }
 
-// Names the exploration that is shown.
-Result<void> Player::name(const Label& given) {
-  if (replay_.played() == nullptr) return not_now("there is no exploration to name");
-  const PlayedExploration& played = *replay_.played();
-  auto named = kept_.name(played.index, given);
+// Names the exploration that is shown, or another one that is kept: on a slow line, the one that is
+// meant may have ended meanwhile.
+Result<void> Player::name(const NameCommand& command) {
+  const PlayedExploration* played = replay_.played();
+  if (played == nullptr) return not_now("there is no exploration to name");
+  const std::size_t index = command.exploration.value_or(played->index);
+  if (index < kept_.first()) return not_now("it is no longer kept (--page-memory)");
+  if (index != played->index && index >= kept_.count()) {
+    return not_now(fmt::format("there is no exploration {}", index + 1));
+  }
+  auto named = kept_.name(index, command.label);
   if (!named && named.error().kind != ErrorKind::kSystem) return named;
-  report(named);
-  if (played.has_ended && given.name == chosen_.answered_label()) teach_given(played.index);
-  return {};
+  if (index < kept_.count() && command.label.name == chosen_.answered_label()) teach_given(index);
+  return check_saved(named);
+}
+
+// Another page may have given another name meanwhile.
+Result<void> Player::undo_name(std::size_t exploration) {
+  if (names().last() == nullptr) return not_now("there is no name to undo");
+  const GivenName last = *names().last();
+  if (last.exploration != exploration) return not_now("another name was given meanwhile");
+  auto undone = kept_.take_back_name();
+  if (!undone && undone.error().kind != ErrorKind::kSystem) return undone;
+  forget_taught(last);
+  return check_saved(undone);
+}
+
+void Player::forget_taught(const GivenName& name) {
+  const bool was_taught = chosen_.is_taught(name.exploration);
+  chosen_.take_back(name);
+  if (!was_taught || name.label.name != chosen_.answered_label()) return;
+  for (const TaughtName& one : chosen_.taught_names()) {
+    if (one.exploration == name.exploration) return replay_.tap().say_taught(one);
+  }
+  replay_.tap().say_forgotten(name);
+}
+
+// A name is confirmed where it is on the disk, if the session has a file.
+Result<void> Player::check_saved(const Result<void>& saved) {
+  report(saved);
+  if (source_.file == nullptr || kept_.saves()) return {};
+  return not_now("the change is in the session, but not on the disk: its file cannot be written");
 }
 
 void Player::teach(std::size_t exploration, const std::string& name) {

@@ -119,7 +119,10 @@ class Player {
   void await_start();
   void fail_exploring(const Error& error);
   Result<void> keep(Exploration exploration, std::shared_ptr<KeptScene> scene);
-  Result<void> name(const Label& given);
+  Result<void> name(const NameCommand& command);
+  Result<void> undo_name(std::size_t exploration);
+  void forget_taught(const GivenName& name);
+  Result<void> check_saved(const Result<void>& saved);
   std::vector<Label> shown_labels() const;
   void report(const Result<void>& saved);
 

@@ -144,7 +144,10 @@ class ViewSession::Impl {
 
   Result<void> handle(const live::ViewCommand& command) {
     if (std::holds_alternative<live::TrainCommand>(command)) return train();
-    if (std::holds_alternative<live::NameCommand>(command)) explored_.reset();
+    if (std::holds_alternative<live::NameCommand>(command) ||
+        std::holds_alternative<live::UndoNameCommand>(command)) {
+      explored_.reset();
+    }
     if (std::holds_alternative<live::StopTrainingCommand>(command)) {
       training_.request_stop();
       preparation_.request_stop();

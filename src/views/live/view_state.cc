@@ -122,6 +122,7 @@ Json state_json(const ViewState& state) {
   add_taught(state, json);
   json["training"] = state.training;
   json["demonstrated"] = state.demonstrated ? Json(*state.demonstrated) : Json();
+  json["naming"] = state.naming;
   json["saved"] = saved_json(state.source.file);
   json["losses"] = {{"failed", state.losses.failed},
                     {"unsaved", state.losses.unsaved},

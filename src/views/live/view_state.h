@@ -35,6 +35,7 @@ struct ViewState {
   std::vector<TaughtName> taught = {};
   bool training = false;
   std::optional<std::size_t> demonstrated = {};  ///< Rounds of a demonstration.
+  Json naming = {};                              ///< See naming_json().
   Losses losses = {};
   std::size_t clients = 0;
   bool awaits_start = false;  ///< Whether a real body moves only after a press of Start.

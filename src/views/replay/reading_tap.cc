@@ -44,6 +44,10 @@ void ReadingTap::say_taught(const TaughtName& name) {
   if (is_open() && sink_.on_taught) check(sink_.on_taught(name));
 }
 
+void ReadingTap::say_forgotten(const GivenName& name) {
+  if (is_open() && sink_.on_forgotten) check(sink_.on_forgotten(name));
+}
+
 void ReadingTap::say_failure(const Error& error) const {
   if (is_open()) sink_.on_failure(error);
 }

@@ -35,6 +35,9 @@ class ReadingTap {
   /// The system has learned a name, or could not.
   void say_taught(const TaughtName& name);
 
+  /// The system has forgotten a name that was taken back.
+  void say_forgotten(const GivenName& name);
+
   /// An exploration has failed; others may follow.
   void say_failure(const Error& error) const;
 

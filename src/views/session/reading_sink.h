@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "recordings/explorations/given_names.h"
 #include "somato/core/result.h"
 #include "somato/graph/further_learning.h"
 #include "somato/graph/system_model.h"
@@ -48,6 +49,9 @@ struct ReadingSink {
 
   /// The system has learned a name, or could not; may be empty.
   std::function<Result<void>(const TaughtName& name)> on_taught = {};
+
+  /// The system has forgotten the name of an exploration, which was taken back; may be empty.
+  std::function<Result<void>(const GivenName& name)> on_forgotten = {};
 
   /// A body's exploration has failed; the next one follows.
   std::function<void(const Error& error)> on_failure;

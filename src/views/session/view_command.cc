@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "base/text/text.h"
@@ -35,6 +36,13 @@ class CommandFields {
     const double value = number(name, least, most);
     if (value != std::floor(value)) keep(fmt::format("'{}' must be a whole number", name));
     return value;
+  }
+
+  std::size_t index(const std::string& name) {
+    return static_cast<std::size_t>(whole(name, 0, kMostFrames));
+  }
+  std::optional<std::size_t> index_if_given(const std::string& name) {
+    return json_.contains(name) ? std::optional(index(name)) : std::nullopt;
   }
 
   std::string text(const std::string& name) {
@@ -91,8 +99,8 @@ ViewCommand step_of(CommandFields& fields) {
 
 ViewCommand seek_of(CommandFields& fields) {
   SeekCommand seek;
-  seek.exploration = static_cast<std::size_t>(fields.whole("exploration", 0, kMostFrames));
-  seek.frame = static_cast<std::size_t>(fields.whole("frame", 0, kMostFrames));
+  seek.exploration = fields.index("exploration");
+  seek.frame = fields.index("frame");
   return seek;
 }
 
@@ -108,7 +116,12 @@ ViewCommand name_of(CommandFields& fields) {
   NameCommand command;
   command.label.name = fields.word("label");
   command.label.value = fields.word("value");
+  command.exploration = fields.index_if_given("exploration");
   return command;
+}
+
+ViewCommand plan_of(CommandFields& fields) {
+  return PlanCommand{static_cast<std::size_t>(fields.whole("each", 0, kMostPlanned))};
 }
 
 using Reader = ViewCommand (*)(CommandFields&);
@@ -128,6 +141,11 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
       {"placement", placement_of},
       {"explore", [](CommandFields&) -> ViewCommand { return ExploreCommand{}; }},
       {"name", name_of},
+      {"undo_name",
+       [](CommandFields& fields) -> ViewCommand {
+         return UndoNameCommand{fields.index("exploration")};
+       }},
+      {"plan", plan_of},
       {"system",
        [](CommandFields& fields) -> ViewCommand { return SystemCommand{fields.text("name")}; }},
       {"train", [](CommandFields&) -> ViewCommand { return TrainCommand{}; }},

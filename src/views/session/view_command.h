@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -33,7 +34,14 @@ struct PlacementCommand {
 };
 struct ExploreCommand {};
 struct NameCommand {
-  Label label;  ///< Such as {"object", "cup"}.
+  Label label;                                  ///< Such as {"object", "cup"}.
+  std::optional<std::size_t> exploration = {};  ///< Or the current one.
+};
+struct UndoNameCommand {
+  std::size_t exploration = 0;  ///< That was named last.
+};
+struct PlanCommand {
+  std::size_t each = 0;  ///< Explorations of each name; 0 ends the plan.
 };
 struct SystemCommand {
   std::string name;
@@ -42,9 +50,13 @@ struct TrainCommand {};
 struct StopTrainingCommand {};
 struct DismissCommand {};
 
-using ViewCommand = std::variant<PlayCommand, PauseCommand, StepCommand, SeekCommand, SpeedCommand,
-                                 ThingCommand, PlacementCommand, ExploreCommand, NameCommand,
-                                 SystemCommand, TrainCommand, StopTrainingCommand, DismissCommand>;
+using ViewCommand =
+    std::variant<PlayCommand, PauseCommand, StepCommand, SeekCommand, SpeedCommand, ThingCommand,
+                 PlacementCommand, ExploreCommand, NameCommand, UndoNameCommand, PlanCommand,
+                 SystemCommand, TrainCommand, StopTrainingCommand, DismissCommand>;
+
+/// The most explorations of each name in a plan.
+inline constexpr std::size_t kMostPlanned = 1000;
 
 /// The command that a text in JSON holds. Errors (kUsage): no JSON, no known command, fields that
 /// are missing, unknown, of another type or out of range.

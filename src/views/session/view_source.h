@@ -63,7 +63,10 @@ struct ViewSource {
   bool demonstrates = false;
   /// The selected system is trained on these; may have no rounds.
   PriorExplorations prior_explorations = {};
-  bool teaches = true;     ///< Whether the selected system learns the names that are given.
+  bool teaches = true;  ///< Whether the selected system learns the names that are given.
+  /// The names that are planned, for the keys of the page, and the explorations of each; 0: any.
+  std::vector<std::string> names = {};
+  std::size_t each = 0;
   std::uint64_t seed = 1;  ///< The seed of training.
   /// The file in which the explorations of the body are saved, or nullptr; must outlive the
   /// session.

@@ -1,5 +1,6 @@
 #include "views/teaching/kept_explorations.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "recordings/explorations/growing_channel.h"
@@ -23,7 +24,10 @@ std::size_t shrink(Exploration& exploration) {
 KeptExplorations::KeptExplorations(ViewSource& source)
     : source_(source),
       saves_(source.file != nullptr),
-      kept_(source.recording.explorations.size()) {}
+      counts_(source.names, source.each),
+      kept_(source.recording.explorations.size()) {
+  for (std::size_t i = first(); i < count(); ++i) count_own(i, (*this)[i].labels);
+}
 
 // A file that failed cannot be written any more.
 Result<void> KeptExplorations::checked(Result<void> saved) {
@@ -39,6 +43,7 @@ Result<void> KeptExplorations::count_saved(Result<void> saved) {
 }
 
 void KeptExplorations::begin_next(const BodyDescription& body, std::vector<Label> labels) {
+  next_labels_ = labels;
   if (source_.file == nullptr) return;
   if (!saves_) saves_ = source_.file->begin_again().value_or(false);
   if (saves_) draft_.emplace(*source_.file).begin(body, std::move(labels));
@@ -59,6 +64,7 @@ Result<void> KeptExplorations::add(Exploration exploration, std::shared_ptr<Kept
     discard_next();
     return valid;
   }
+  count_own(count(), single.explorations[0].labels);
   explorations.push_back(std::move(single.explorations[0]));
   const std::size_t bytes = shrink(explorations.back()) + (scene ? scene->bytes() : 0);
   kept_.push_back({std::move(scene), {}, bytes});
@@ -78,6 +84,7 @@ Result<void> KeptExplorations::save_last() {
 }
 
 Result<void> KeptExplorations::add_unkept() {
+  count_own(count(), next_labels_);
   ++source_.first;
   names_.forget_before(first());
   if (source_.file == nullptr) return {};
@@ -116,13 +123,58 @@ Result<void> KeptExplorations::name_in_file(std::size_t index, const Label& give
 Result<void> KeptExplorations::name(std::size_t index, const Label& given) {
   const Result<void> named = saves_ ? name_in_file(index, given) : Result<void>();
   const bool is_refused = !named && named.error().kind != ErrorKind::kSystem;
-  if (!is_refused) names_.give(index, given);
+  if (is_refused) return named;
+  recount(index, given.name, [&] { names_.give(index, given); });
   return named;
+}
+
+// A file has no label that is not given any more: it gets its former value.
+Result<void> KeptExplorations::take_back_name() {
+  const GivenName last = *names_.last();
+  const std::string& label = last.label.name;
+  const Label former{label, last.before.value_or(own_value(last.exploration, label))};
+  const Result<void> saved = saves_ ? name_in_file(last.exploration, former) : Result<void>();
+  if (!saved && saved.error().kind != ErrorKind::kSystem) return saved;
+  recount(last.exploration, label, [&] { names_.take_back(); });
+  return saved;
+}
+
+// Labels that were given are counted already.
+void KeptExplorations::count_own(std::size_t index, const std::vector<Label>& labels) {
+  for (const Label& own : labels) {
+    if (!names_.given(index, own.name)) counts_.add(own);
+  }
+}
+
+std::string KeptExplorations::own_value(std::size_t index, const std::string& label) const {
+  const auto& labels = index < count() ? (*this)[index].labels : next_labels_;
+  const auto own = std::find_if(labels.begin(), labels.end(),
+                                [&](const Label& one) { return one.name == label; });
+  return own == labels.end() ? "unknown" : own->value;
+}
+
+// The next exploration counts if it was given a name.
+std::string KeptExplorations::counted_value(std::size_t index, const std::string& label) const {
+  const auto given = names_.given(index, label);
+  if (given || index == count()) return given.value_or("unknown");
+  return own_value(index, label);
+}
+
+// The new name is counted first, so that the same name keeps its place.
+template <typename Change>
+void KeptExplorations::recount(std::size_t index, const std::string& label, const Change& change) {
+  const std::string before = counted_value(index, label);
+  change();
+  counts_.add({label, counted_value(index, label)});
+  counts_.remove({label, before});
 }
 
 // An error of the file comes again with the next exploration.
 void KeptExplorations::discard_next() {
   draft_.reset();
+  for (const Label& label : names_.labels(count(), {})) {
+    if (names_.given(count(), label.name)) counts_.remove(label);
+  }
   names_.forget(count());
   if (saves_) (void)source_.file->drop_draft();
 }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bodies/body/exploration_draft.h"
@@ -15,6 +16,7 @@
 #include "somato/recording/recording.h"
 #include "views/replay/kept_scene.h"
 #include "views/session/view_source.h"
+#include "views/teaching/name_counts.h"
 
 namespace somato::live {
 
@@ -72,6 +74,17 @@ class KeptExplorations {
   /// exploration is not in the file; kSystem if it has the label, but the file does not.
   Result<void> name(std::size_t index, const Label& given);
 
+  /// Takes back the label that was given last, which exists, also in the file. Errors as name().
+  Result<void> take_back_name();
+
+  /// Whether a name that is given now is in the file of the session: it has one, which did not
+  /// fail.
+  bool saves() const { return saves_; }
+
+  /// The names of all explorations so far, and of the next one if it was given one.
+  const NameCounts& counts() const { return counts_; }
+  void plan(std::size_t each) { counts_.plan(each); }
+
   /// The next exploration is discarded, and its labels.
   void discard_next();
 
@@ -87,12 +100,19 @@ class KeptExplorations {
   Result<void> checked(Result<void> saved);
   Result<void> count_saved(Result<void> saved);
   Result<void> name_in_file(std::size_t index, const Label& given);
+  void count_own(std::size_t index, const std::vector<Label>& labels);
+  std::string own_value(std::size_t index, const std::string& label) const;
+  std::string counted_value(std::size_t index, const std::string& label) const;
+  template <typename Change>
+  void recount(std::size_t index, const std::string& label, const Change& change);
 
   ViewSource& source_;
   std::optional<ExplorationDraft> draft_;
   bool saves_ = false;  // until the file fails
   std::size_t unsaved_ = 0;
   GivenNames names_;
+  NameCounts counts_;
+  std::vector<Label> next_labels_;  // of the next exploration, without given ones
   std::deque<Kept> kept_;
   std::size_t bytes_ = 0;  // of those that the body made
 };

@@ -26,14 +26,26 @@ const TaughtName& Teacher::teach(const Recording& recording, std::size_t explora
   TaughtName& given = is_new ? names_.emplace_back() : *known;
   given.exploration = exploration;
   given.name = name;
-  SystemModel model = copy_of(is_new ? *model_ : *untaught_);
-  if (is_new) {
-    learn(model, recording, first, given);
-  } else {
-    for (TaughtName& one : names_) learn(model, recording, first, one);
+  if (!is_new) {
+    learn_again(recording, first);
+    return given;
   }
+  SystemModel model = copy_of(*model_);
+  learn(model, recording, first, given);
   model_ = std::make_shared<const SystemModel>(std::move(model));
   return given;
+}
+
+void Teacher::learn_again(const Recording& recording, std::size_t first) {
+  SystemModel model = copy_of(*untaught_);
+  for (TaughtName& one : names_) learn(model, recording, first, one);
+  model_ = std::make_shared<const SystemModel>(std::move(model));
+}
+
+void Teacher::take_back(const Recording& recording, std::size_t exploration, std::size_t first) {
+  std::erase_if(names_, [&](const TaughtName& one) { return one.exploration == exploration; });
+  if (names_.empty()) return forget();
+  learn_again(recording, first);
 }
 
 void Teacher::settle_before(std::size_t kept, const Recording& recording, std::size_t first) {

@@ -31,6 +31,9 @@ class Teacher {
   const TaughtName& teach(const Recording& recording, std::size_t exploration,
                           const std::string& name, std::size_t first = 0);
 
+  /// Forgets the name of one exploration of `recording`, as if it had never been given.
+  void take_back(const Recording& recording, std::size_t exploration, std::size_t first = 0);
+
   /// The explorations before `kept` will no longer be in `recording`: their names, and those that
   /// were learned before them, become a part of the model that is not replaced or forgotten.
   void settle_before(std::size_t kept, const Recording& recording, std::size_t first);
@@ -39,6 +42,8 @@ class Teacher {
   void forget();
 
  private:
+  void learn_again(const Recording& recording, std::size_t first);
+
   std::shared_ptr<const SystemModel> untaught_;
   std::shared_ptr<const SystemModel> model_;
   std::vector<TaughtName> names_;

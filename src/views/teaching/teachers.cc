@@ -18,6 +18,21 @@ const TaughtName& Teachers::teach(std::size_t system, std::size_t exploration,
   return learned;
 }
 
+void Teachers::take_back(const GivenName& name) {
+  for (auto& [system, teacher] : teachers_) {
+    ViewSystem& taught = source_.systems[system];
+    if (taught.trained->answer->label != name.label.name || !is_taught(system, name.exploration)) {
+      continue;
+    }
+    if (name.before) {
+      teacher.teach(source_.recording, name.exploration, *name.before, source_.first);
+    } else {
+      teacher.take_back(source_.recording, name.exploration, source_.first);
+    }
+    taught.trained = teacher.model();
+  }
+}
+
 const std::vector<TaughtName>& Teachers::names(std::size_t system) const {
   static const std::vector<TaughtName> none;
   const auto teacher = teachers_.find(system);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "recordings/explorations/given_names.h"
 #include "views/session/view_source.h"
 #include "views/teaching/teacher.h"
 
@@ -22,6 +23,10 @@ class Teachers {
 
   /// Teaches a system that can be taught the name of an exploration of the recording.
   const TaughtName& teach(std::size_t system, std::size_t exploration, const std::string& name);
+
+  /// A label was taken back: the systems that were taught it by this exploration learn the value
+  /// that it had been given before, or forget it.
+  void take_back(const GivenName& name);
 
   /// The names that a system was taught.
   const std::vector<TaughtName>& names(std::size_t system) const;

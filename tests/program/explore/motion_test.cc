@@ -174,7 +174,7 @@ class Motion : public EmulationTest {
          {R"({"command":"play"})", R"({"command":"step","frames":1})", R"({"command":"pause"})",
           R"({"command":"thing","name":"cube"})", R"({"command":"speed","speed":100})",
           R"({"command":"placement","x":1,"y":1,"turn":1})", R"({"command":"train"})",
-          R"({"command":"dismiss"})"}) {
+          R"({"command":"dismiss"})", R"({"command":"plan","each":2})"}) {
       address.command(command);
       address.state();
     }

@@ -3,7 +3,7 @@
 
 Each of them explores with a simulated body and with an emulated device. At a seeded moment its
 process group is ended by SIGKILL. Every exploration whose end was shown before, and every name that
-was confirmed, must then be in the file, or be recovered from its partial file.
+was confirmed, as well as its undo, must then be in the file, or be recovered from its partial file.
 
 usage: killed_sessions.py --program FILE [--kills N] [--seed N] [--longest S]
 
@@ -45,7 +45,7 @@ class Session:
     def __init__(self, program, folder, words):
         self.folder = folder
         self.shown = 0
-        self.names = {}  # by the number of the exploration
+        self.names = {}  # those that may be there, by the number of the exploration
         self.ours, theirs = pty.openpty()  # progress is for terminals
         self.process = subprocess.Popen([program, *words], cwd=folder, stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, stderr=theirs,
@@ -93,7 +93,7 @@ class Session:
             if said.get("final"):
                 self.shown = said["exploration"]
             if "taught" in said:
-                self.names[said["exploration"] - 1] = said["taught"]
+                self.names[said["exploration"] - 1] = {said["taught"]}
 
     def viewing(self):
         """Has the view explore, and names what was explored."""
@@ -115,9 +115,14 @@ class Session:
             ask("command", {"command": "explore"})
             while self.shown == before:
                 self.shown = len(ask("state")["explorations"])
+            own = ask("state")["explorations"][before]["labels"]["material"]
             name = f"thing {self.shown}"
-            ask("command", {"command": "name", "label": "material", "value": name})
-            self.names[before] = name
+            given = {"command": "name", "label": "material", "exploration": before}
+            ask("command", {**given, "value": "a name to be undone"})
+            ask("command", {"command": "undo_name", "exploration": before})
+            self.names[before] = {own, name}  # which is on its way
+            ask("command", {**given, "value": name})
+            self.names[before] = {name}
 
 
 def run(program, folder, *words, codes=(0,)):
@@ -174,8 +179,8 @@ def kill_once(program, folder, command, source, seconds):
     problems = []
     if len(found) < session.shown:
         problems.append(f"{session.shown} explorations were shown, {len(found)} are there")
-    lost = [name for number, name in session.names.items()
-            if number >= len(found) or found[number].get("material") != name]
+    lost = [names for number, names in session.names.items()
+            if number >= len(found) or found[number].get("material") not in names]
     if lost:
         problems.append(f"{len(lost)} of {len(session.names)} names are not there: {lost[0]}")
     return session.shown, len(session.names), problems

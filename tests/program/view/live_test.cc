@@ -290,6 +290,7 @@ TEST_F(Live, RefusesFlagsWithoutEffect) {
           {replay({"--body", "lucs2"}), {"one of a body, a device or topics", "is required"}},
           {replay({"--object", "boule"}), {"--object", "no effect on a recording"}},
           {replay({"--explorations", "3"}), {"--explorations", "no effect on a recording"}},
+          {replay({"--names", "cup"}), {"--names", "without the view"}},
           {replay({"--seed", "3"}), {"--seed", "no effect on a recording"}},
           {replay({"-o", "x.mcap"}), {"--output", "no effect on a recording"}},
           {replay({"--objects", "study.toml"}), {"--objects", "--view"}},

@@ -34,6 +34,11 @@ TEST_F(View, RefusesWhatItCannotShow) {
           {{"view", "a.mcap", "--object", "boule"}, {"--object", "objects of a recording"}},
           {{"view", "a.mcap", "-o", "b.mcap"}, {"--output", "recorded again"}},
           {{"view", "nothing.mcap", "--body", "lucs2", "-o", "nothing.mcap"}, {"nothing.mcap"}},
+          {{"view", "--body", "hardness", "--names", "cup,,ball"}, {"--names", "'' is no name"}},
+          {{"view", "--body", "hardness", "--names", "cup,cup"}, {"--names", "there twice"}},
+          {{"view", "--body", "hardness", "--names", "unknown"}, {"--names", "is no name"}},
+          {{"view", "--body", "hardness", "--each", "1001"}, {"--each", "at most 1000"}},
+          {{"view", "--body", "hardness", "--each", "0"}, {"--each"}},
           {{"view", "a.mcap", "--port", "65536"}, {"--port", "65535"}},
           {{"view", "a.mcap", "--address", "0.0.0.0"}, {"--address", "a single address"}},
           {{"view", "a.mcap", "--address", "192.168.7.7"}, {"--address", "--allow-others"}}});

@@ -24,6 +24,29 @@ TEST(GivenNames, ReplaceTheLabelOfOneExploration) {
 }
 
 // All explorations of a recording have the same labels: validate() refuses others.
+TEST(GivenNames, AreTakenBackInTheOppositeOrder) {
+  GivenNames names;
+  EXPECT_EQ(names.last(), nullptr);
+  names.give(1, {"object", "cup"});
+  names.give(0, {"object", "ball"});
+  names.give(1, {"object", "mug"});
+  names.give(1, {"object", "mug"});  // nothing to take back
+  EXPECT_EQ(names.last()->before, "cup");
+  names.take_back();
+  EXPECT_EQ(names.given(1, "object"), "cup");
+  names.forget(0);  // an exploration that was discarded
+  EXPECT_EQ(names.last()->exploration, 1U);
+  names.take_back();
+  EXPECT_EQ(names.last(), nullptr);
+  EXPECT_EQ(names.given(1, "object"), std::nullopt);
+  EXPECT_EQ(names.labels(1, {}), (std::vector<Label>{{"object", "unknown"}}));
+  names.give(2, {"object", "cup"});
+  names.give(3, {"object", "cup"});
+  names.forget_before(3);
+  names.take_back();
+  EXPECT_EQ(names.last(), nullptr) << "what is no longer kept is not taken back";
+}
+
 TEST(GivenNames, AddALabelToAllExplorations) {
   Recording recording = testing::hand_recording(3, 1);
   for (Exploration& one : recording.explorations) one.labels.clear();

@@ -114,6 +114,17 @@ TEST_F(GrowingRecordingTest, HasTheExplorationInProgress) {
   EXPECT_EQ(now.explorations[1].channels[0].frames.rows(), 5U);
 }
 
+// The program may be killed as soon as a name was confirmed.
+TEST_F(GrowingRecordingTest, HasTheNameOfTheExplorationInProgressAtOnce) {
+  const auto file = begin();
+  draft(*file, 5);
+  ASSERT_TRUE(file->name(0, {"object", "cup"}));
+  const Recording now = recovered();
+  ASSERT_EQ(now.explorations.size(), 1U);
+  EXPECT_EQ(now.explorations[0].labels, (std::vector<Label>{{"object", "cup"}}));
+  EXPECT_EQ(now.explorations[0].channels[0].frames.rows(), 5U);
+}
+
 // A label that one exploration was given is unknown for the others, as validate() requires.
 TEST_F(GrowingRecordingTest, AddsALabelToAllExplorations) {
   const auto file = begin();
@@ -207,6 +218,11 @@ TEST_F(GrowingRecordingTest, IsSynchronizedBeforeTheEndOfAnExplorationIsReported
   }
   files.trace.clear();
   ASSERT_TRUE(file->name(0, {"object", "cup"}));
+  EXPECT_EQ(files.trace.back(), "flush hand.mcap.partial");
+  draft(*file);
+  files.trace.clear();
+  ASSERT_TRUE(file->name(3, {"object", "cup"})) << "while it takes place";
+  ASSERT_FALSE(files.trace.empty());
   EXPECT_EQ(files.trace.back(), "flush hand.mcap.partial");
 }
 

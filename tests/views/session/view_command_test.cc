@@ -35,6 +35,11 @@ TEST(ViewCommand, IsReadFromJson) {
   const Label given =
       read<NameCommand>(R"({"command":"name","label":"object","value":"tea cup"})").label;
   EXPECT_EQ(given, (Label{"object", "tea cup"}));
+  const std::string named = R"({"command":"name","label":"object","value":"cup")";
+  EXPECT_EQ(read<NameCommand>(named + "}").exploration, std::nullopt);
+  EXPECT_EQ(read<NameCommand>(named + R"(,"exploration":7})").exploration, 7U);
+  EXPECT_EQ(read<UndoNameCommand>(R"({"command":"undo_name","exploration":7})").exploration, 7U);
+  EXPECT_EQ(read<PlanCommand>(R"({"command":"plan","each":5})").each, 5U);
   EXPECT_EQ(read<SystemCommand>(R"({"command":"system","name":"s"})").name, "s");
   EXPECT_EQ(
       read<PlacementCommand>(R"({"command":"placement","x":1,"y":-2.5,"turn":90})").placement.y,
@@ -76,6 +81,8 @@ TEST(ViewCommand, IsRefusedWhereItsSchemaRefusesIt) {
         R"({"command":"seek","exploration":-1,"frame":0})", R"({"command":"seek","exploration":0})",
         R"({"command":"speed","speed":0.04})", R"({"command":"speed","speed":"1"})",
         R"({"command":"thing"})", R"({"command":"system","name":1})",
+        R"({"command":"name","label":"object","value":"cup","exploration":-1})",
+        R"({"command":"undo_name"})", R"({"command":"plan","each":1001})",
         R"({"command":"placement","x":0,"y":0})",
         R"({"command":"placement","x":0,"y":-50.1,"turn":0})",
         R"({"command":"placement","x":0,"y":0,"turn":361})"}) {

@@ -138,6 +138,51 @@ TEST_F(KeptExplorationsTest, OneThatIsNotKeptIsInTheFile) {
   EXPECT_EQ(saved[1].labels[0].value, "bowl");
 }
 
+// The file cannot forget a label: it has the value of before.
+TEST_F(KeptExplorationsTest, TakesNamesBackAlsoInTheFile) {
+  KeptExplorations kept(source_);
+  ASSERT_TRUE(kept.name(1, {"object", "cup"})) << "while it takes place";
+  ASSERT_TRUE(kept.name(1, {"object", "mug"}));
+  ASSERT_TRUE(kept.take_back_name());
+  ASSERT_TRUE(kept.add(second_, nullptr));
+  ASSERT_TRUE(kept.save_last());
+  ASSERT_TRUE(kept.add(second_, nullptr));
+  ASSERT_TRUE(kept.save_last());
+  ASSERT_TRUE(kept.name(2, {"object", "bowl"}));
+  ASSERT_TRUE(kept.name(2, {"size", "large"}));
+  ASSERT_TRUE(kept.take_back_name());
+  ASSERT_TRUE(kept.take_back_name());
+  EXPECT_EQ(kept.names().last()->label, (Label{"object", "cup"}));
+  const auto saved = this->saved();
+  EXPECT_EQ(saved[0].labels, kept.names().labels(1, second_.labels));
+  EXPECT_EQ(saved[0].labels[0].value, "cup");
+  EXPECT_EQ(saved[1].labels, kept.names().labels(2, second_.labels));
+  EXPECT_EQ(saved[1].labels.back(), (Label{"size", "unknown"}));
+}
+
+TEST_F(KeptExplorationsTest, CountsNames) {
+  source_.file = nullptr;
+  source_.names = {"cup"};
+  KeptExplorations kept(source_);
+  using Counts = std::vector<NameCount>;
+  EXPECT_EQ(kept.counts().of("object"), (Counts{{"cup", 0}, {"object 0", 1}}));
+  ASSERT_TRUE(kept.name(1, {"object", "bowl"}));
+  kept.discard_next();
+  EXPECT_EQ(kept.counts().of("object"), (Counts{{"cup", 0}, {"object 0", 1}}));
+  ASSERT_TRUE(kept.name(1, {"object", "cup"}));
+  EXPECT_EQ(kept.counts().of("object"), (Counts{{"cup", 1}, {"object 0", 1}}));
+  ASSERT_TRUE(kept.add(second_, nullptr));
+  EXPECT_EQ(kept.counts().of("object"), (Counts{{"cup", 1}, {"object 0", 1}})) << "once";
+  ASSERT_TRUE(kept.name(1, {"object", "mug"}));
+  ASSERT_TRUE(kept.name(1, {"object", "mug"}));
+  EXPECT_EQ(kept.counts().of("object"), (Counts{{"cup", 0}, {"object 0", 1}, {"mug", 1}}));
+  ASSERT_TRUE(kept.take_back_name());
+  EXPECT_EQ(kept.counts().of("object"), (Counts{{"cup", 1}, {"object 0", 1}}));
+  kept.drop_before(1);
+  EXPECT_EQ(kept.counts().of("object"), (Counts{{"cup", 1}, {"object 0", 1}}))
+      << "those that are no longer kept are counted";
+}
+
 TEST_F(KeptExplorationsTest, SavesNothingWithoutAFile) {
   source_.file = nullptr;
   KeptExplorations kept(source_);

@@ -64,6 +64,22 @@ TEST(Teacher, CorrectsANameAsIfItHadNotBeenGiven) {
   EXPECT_EQ(corrected.names()[0].name, "cup");
 }
 
+// The law: a name that is taken back leaves no trace.
+TEST(Teacher, ForgetsANameThatIsTakenBack) {
+  const Recording others = testing::hand_recording(4, 9);
+  const auto first = model();
+  Teacher teacher(first);
+  teacher.teach(others, 1, "typo");
+  teacher.teach(others, 3, "mug");
+  teacher.take_back(others, 1);
+  Teacher right(first);
+  right.teach(others, 3, "mug");
+  EXPECT_EQ(bytes_of_saved(*teacher.model()), bytes_of_saved(*right.model()));
+  ASSERT_EQ(teacher.names().size(), 1U);
+  teacher.take_back(others, 3);
+  EXPECT_EQ(teacher.model(), first);
+}
+
 // The names of explorations that are no longer kept remain learned, and are replaced no more.
 TEST(Teacher, SettlesNamesOfExplorationsThatAreDropped) {
   const Recording others = testing::hand_recording(6, 9);

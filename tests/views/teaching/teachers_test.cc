@@ -73,6 +73,57 @@ TEST(TeachersThread, LearnTheNameOfAnExplorationThatHasEnded) {
   EXPECT_EQ(state_of(session)["taught"], taught);
 }
 
+// The last name is taken back first; the one before it is learned again.
+TEST(TeachersThread, ForgetANameThatIsUndone) {
+  ViewSession session(with_system(testing::hand_source(2), true), testing::at_once());
+  session.start();
+  ASSERT_TRUE(eventually(
+      [&] { return frame_of(session)["last"] == true && state_of(session)["exploration"] == 1; }));
+  const json before = state_of(session);
+  command(session, R"({"command":"name","label":"object","value":"cup"})");
+  command(session, R"({"command":"name","label":"object","value":"mug"})");
+  ASSERT_EQ(state_of(session)["taught"].size(), 1U);
+  EXPECT_EQ(state_of(session)["taught"][0]["name"], "mug");
+  command(session, R"({"command":"undo_name","exploration":1})");
+  ASSERT_EQ(state_of(session)["taught"].size(), 1U);
+  EXPECT_EQ(state_of(session)["taught"][0]["name"], "cup");
+  command(session, R"({"command":"undo_name","exploration":1})");
+  EXPECT_EQ(state_of(session)["taught"], json::array());
+  EXPECT_EQ(state_of(session)["maps"], before["maps"]);
+  EXPECT_EQ(state_of(session)["labels"], before["labels"]);
+  EXPECT_FALSE(session.command(R"({"command":"undo_name","exploration":1})"));
+}
+
+// The receiver of the readings learns of it.
+TEST(TeachersThread, SayThatANameIsForgotten) {
+  ViewSource source = with_system(testing::hand_source(2), true);
+  std::vector<std::string> said;
+  source.readings.on_begin = [](const Exploration&) { return Result<void>(); };
+  source.readings.on_moment = [](const live::SaidReading&) { return Result<void>(); };
+  source.readings.on_end = [](const live::SaidReading&, const Exploration&) {
+    return Result<void>();
+  };
+  source.readings.on_taught = [&](const live::TaughtName& name) {
+    said.push_back("taught " + name.name);
+    return Result<void>();
+  };
+  source.readings.on_forgotten = [&](const GivenName& name) {
+    said.push_back("forgotten " + name.label.value);
+    return Result<void>();
+  };
+  source.readings.on_done = [](const Result<void>&) {};
+  ViewSession session(std::move(source), {true, 1.0, 0.0});
+  session.start();
+  command(session, R"({"command":"step","frames":1000})");
+  for (const std::string value : {"cup", "mug"}) {
+    command(session, R"({"command":"name","label":"object","value":")" + value + "\"}");
+  }
+  for (int i = 0; i < 2; ++i) command(session, R"({"command":"undo_name","exploration":0})");
+  session.stop();
+  EXPECT_EQ(said,
+            (std::vector<std::string>{"taught cup", "taught mug", "taught cup", "forgotten cup"}));
+}
+
 TEST(TeachersThread, LearnTheNameOfAnExplorationInProgressWhenItEnds) {
   ViewSession session(with_system(testing::body_source(200), true), {false, 1.0, 0.0});
   session.start();

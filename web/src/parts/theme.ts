@@ -4,6 +4,7 @@
 //   place.append(themeButton());
 
 import { element } from "./dom";
+import { keep, kept } from "./kept";
 
 const kKey = "somato-theme";
 
@@ -16,12 +17,12 @@ export function themeButton(): HTMLButtonElement {
     button.textContent = other === "dark" ? "Dark" : "Light";
     button.setAttribute("aria-label", `Use ${other} colours`);
   };
-  apply(kept());
+  apply(keptTheme());
   show(current());
   button.addEventListener("click", () => {
     const next: Theme = current() === "dark" ? "light" : "dark";
     apply(next);
-    keep(next);
+    keep(kKey, next);
     show(next);
   });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => show(current()));
@@ -38,19 +39,7 @@ function apply(theme: Theme | null): void {
   if (theme !== null) document.documentElement.dataset["theme"] = theme;
 }
 
-function kept(): Theme | null {
-  try {
-    const value = localStorage.getItem(kKey);
-    return value === "light" || value === "dark" ? value : null;
-  } catch {
-    return null; // a file may not be allowed to keep anything
-  }
-}
-
-function keep(theme: Theme): void {
-  try {
-    localStorage.setItem(kKey, theme);
-  } catch {
-    // The selection is then lost when the page is closed.
-  }
+function keptTheme(): Theme | null {
+  const value = kept(kKey);
+  return value === "light" || value === "dark" ? value : null;
 }

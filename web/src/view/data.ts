@@ -129,6 +129,7 @@ export interface State {
   training: boolean;
   /** The number of complete rounds of a demonstration, or null. */
   demonstrated: number | null;
+  naming: NamingState;
   /** The file of this session; null if its explorations are not saved. */
   saved: SavedFile | null;
   losses: Losses;
@@ -140,6 +141,46 @@ export interface State {
   awaits_start: boolean;
   /** A sentence: the last error. */
   problem: string | null;
+}
+
+/** The names of the explorations of this session, for the predicted label, or for "object". */
+export interface NamingState {
+  /**
+   * The planned names, then the others in the order of their first use; the keys 1 to 9 of the page
+   * give the first nine.
+   */
+  names: NameCount[];
+  /** The planned number of explorations of each name; null without a plan. */
+  each: number | null;
+  /** The name that follows by the plan; null without a plan, or when it is fulfilled. */
+  next: NextName | null;
+  /** The name that viewers gave to the current exploration; null without one. */
+  given: string | null;
+  /** The label that was given last and can be undone. */
+  last: LastName | null;
+}
+
+/** A name, and the number of explorations of the session that have it. */
+export interface NameCount {
+  name: string;
+  explorations: number;
+}
+
+/** The next exploration of a plan. */
+export interface NextName {
+  name: string;
+  /** Its number among those of its name, from 1. */
+  number: number;
+}
+
+/** A label that an exploration was given. */
+export interface LastName {
+  /** Its index. */
+  exploration: number;
+  /** The name of the label. */
+  label: string;
+  /** Its value. */
+  name: string;
 }
 
 /** The recording of a session, which is complete when the session ends. */
@@ -389,6 +430,8 @@ export type Command =
   | ThingCommand
   | PlacementCommand
   | NameCommand
+  | UndoNameCommand
+  | PlanCommand
   | SystemCommand;
 
 /**
@@ -436,13 +479,29 @@ export interface PlacementCommand {
   turn: number;
 }
 
-/** Gives the current exploration a label, such as the name of what is touched. */
+/** Gives an exploration a label, such as the name of what is touched. */
 export interface NameCommand {
   command: "name";
   /** The name of the label, such as "object". */
   label: string;
   /** Its value; at most 255 bytes, without line breaks, not empty. */
   value: string;
+  /** Its index; without it, the current exploration. */
+  exploration?: number;
+}
+
+/** Takes back the name that was given last. */
+export interface UndoNameCommand {
+  command: "undo_name";
+  /** The index of the exploration that was named last. */
+  exploration: number;
+}
+
+/** Plans so many explorations of each name. */
+export interface PlanCommand {
+  command: "plan";
+  /** 0 ends the plan. */
+  each: number;
 }
 
 /** Selects the system for the reading. */

@@ -255,6 +255,7 @@ export function fakeState(): State {
     taught: [],
     training: false,
     demonstrated: null,
+    naming: { names: [], each: null, next: null, given: null, last: null },
     dropped: 0,
     first_frame: 0,
     losses: { failed: 0, unsaved: 0, viewers: 0 },

@@ -2,8 +2,9 @@
 
 import { expect, it } from "vitest";
 
+import { fakeState } from "./fake_frames";
 import { kTaxels } from "./fake_hand";
-import { ViewedPage } from "./viewed_page";
+import { soon, ViewedPage } from "./viewed_page";
 
 const view = new ViewedPage();
 
@@ -38,6 +39,33 @@ it("needs no mouse", async () => {
   expect(await reachedByTab()).toEqual(await view.page.locator(kControls).count());
 });
 
+it("gives names by keys, and undoes them", async () => {
+  const names = [{ name: "cup", explorations: 2 }, { name: "tea ball", explorations: 0 }];
+  const naming = { names, each: 5, next: { name: "cup", number: 3 }, given: null, last: null };
+  await view.open({ ...fakeState(), naming });
+  const note = () => view.page.locator(".naming-note > span").first().innerText();
+  await view.page.keyboard.press("Numpad2");
+  await view.received({ command: "name", label: "object", value: "tea ball", exploration: 0 });
+  await soon(note).toBe("✓ Exploration 1: tea ball");
+  await view.page.keyboard.press("0"); // it has a name
+  await soon(note).toBe("✗ Exploration 1 has the name “tea ball”.");
+  view.server.change({ naming: { ...naming, given: "tea ball", last: { exploration: 0, label: "object", name: "tea ball" } } });
+  await view.page.getByText("Next: cup, 3 of 5").waitFor();
+  await view.page.keyboard.press("u");
+  await view.received({ command: "undo_name", exploration: 0 });
+  await soon(note).toBe("✓ Undone: Exploration 1: tea ball");
+  await view.page.keyboard.press("n");
+  await view.page.keyboard.type("12u"); // in the field
+  await view.page.keyboard.press("Enter");
+  await view.received({ command: "name", label: "object", value: "12u", exploration: 0 });
+  await view.page.keyboard.press("Shift+4");
+  expect(await view.page.evaluate(() => document.activeElement?.textContent)).toContain("Map");
+  await view.page.keyboard.press("?");
+  await view.page.keyboard.press("1"); // the dialog is open
+  await view.page.keyboard.press("Escape");
+  expect(view.server.commands.map(({ command }) => command)).toEqual(["name", "undo_name", "name"]);
+});
+
 it("shows where the focus is", async () => {
   await view.open();
   const unseen: (string | null)[] = [];
@@ -47,7 +75,7 @@ it("shows where the focus is", async () => {
 });
 
 const kControls =
-  "button:visible:enabled, select:visible:enabled, input:visible:enabled:not([type=radio]), input[type=radio]:checked, [tabindex='0']:visible";
+  "button:visible:enabled, summary:visible, select:visible:enabled, input:visible:enabled:not([type=radio]), input[type=radio]:checked, [tabindex='0']:visible";
 
 /** The controls that Tab comes by on its way around the page; `at` is done at each. */
 async function reachedByTab(at: () => Promise<void> = async () => undefined): Promise<number> {

@@ -7,6 +7,7 @@ import { Candidates } from "../systems/candidates";
 import type { Frame, Reading, State } from "../data";
 import { Meter } from "../systems/meter";
 import type { Model } from "../session/model";
+import type { NameKeys } from "./name_keys";
 import { NamingQuestion } from "./naming_question";
 import { Panel } from "../page/panel";
 import { Speaker } from "../page/speaker";
@@ -29,7 +30,10 @@ export class NamePanel {
   private readonly nothing = element("p", { class: "empty" });
   private readonly speaker = new Speaker("reading-spoken");
 
-  constructor(private readonly model: Model) {
+  constructor(
+    private readonly model: Model,
+    keys: NameKeys,
+  ) {
     this.candidates = new Candidates(model);
     this.question = new NamingQuestion(model, () => this.answer.focus());
     fill(this.shown, [
@@ -43,7 +47,7 @@ export class NamePanel {
       this.confidence.root,
       this.novelty.root,
     ]);
-    this.panel.add(this.shown, this.nothing, this.candidates.root, this.speaker.root);
+    this.panel.add(keys.root, this.shown, this.nothing, this.candidates.root, this.speaker.root);
     model.shownState.watch((state) => state && this.showState(state));
     model.map.watch(() => this.candidates.build());
     model.frame.watch((frame) => this.panel.isOpen.value && this.draw(frame));

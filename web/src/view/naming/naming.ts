@@ -1,13 +1,17 @@
 // The name of what is touched. A click changes it: the label of the current exploration.
 
-import { element, fill } from "../../parts/dom";
+import { element, fill, write } from "../../parts/dom";
 import type { State } from "../data";
 import { KnownNames, labelOf } from "./known_names";
 import type { Model } from "../session/model";
+import type { Namer } from "./namer";
+import type { NamingNote } from "./naming_note";
+import { kUnknown } from "./truth";
 
 export class Naming {
   readonly root = element("div", { class: "naming" });
   private readonly name = element("button", { type: "button", class: "naming-name" });
+  private readonly undo = element("button", { type: "button", class: "naming-undo", title: "Take back the last name (u)" });
   private readonly known = new KnownNames();
   private readonly input = element("input", {
     type: "text",
@@ -18,7 +22,11 @@ export class Naming {
   });
   private readonly form: HTMLFormElement;
 
-  constructor(private readonly model: Model) {
+  constructor(
+    private readonly model: Model,
+    private readonly namer: Namer,
+    note: NamingNote,
+  ) {
     const cancel = element("button", { type: "button", onclick: () => this.edit(false) }, ["Cancel"]);
     this.form = element("form", { hidden: true }, [
       this.input,
@@ -26,7 +34,8 @@ export class Naming {
       cancel,
       this.known.root,
     ]);
-    fill(this.root, [this.name, this.form]);
+    fill(this.root, [this.name, this.form, this.undo, note.root]);
+    this.undo.addEventListener("click", () => this.namer.undo());
     this.name.addEventListener("click", () => this.edit(true));
     this.form.addEventListener("submit", (event) => this.submit(event));
     this.form.addEventListener("keydown", (event) => event.key === "Escape" && this.edit(false));
@@ -35,7 +44,7 @@ export class Naming {
 
   private show(state: State): void {
     const label = labelOf(state);
-    const value = state.labels[label];
+    const value = state.labels[label] === kUnknown ? undefined : state.labels[label];
     this.root.hidden = state.exploration === null;
     fill(this.name, [
       element("span", { class: "muted" }, [`${label} `]),
@@ -43,10 +52,14 @@ export class Naming {
     ]);
     this.name.title = `Change the name of what is touched in this exploration${state.teaches ? "; the system learns it" : ""}`;
     this.known.show(state);
+    const last = state.naming.last;
+    this.undo.hidden = last === null;
+    write(this.undo, last === null ? "" : `Undo “${last.name}” of exploration ${last.exploration + 1}`);
   }
 
-  private edit(edits: boolean): void {
+  edit(edits: boolean): void {
     const state = this.model.shownState.value;
+    if (edits && (state?.exploration ?? null) === null) return;
     this.form.hidden = !edits;
     this.name.hidden = edits;
     if (!edits || state === null) return this.name.focus();
@@ -57,10 +70,9 @@ export class Naming {
 
   private submit(event: Event): void {
     event.preventDefault();
-    const state = this.model.shownState.value;
     const value = this.input.value.trim();
-    if (state === null || value === "") return;
-    void this.model.send({ command: "name", label: labelOf(state), value });
+    if (value === "") return;
+    this.namer.give(value);
     this.edit(false);
   }
 }

@@ -12,12 +12,17 @@ import { listenToKeys } from "./keys";
 import { LinkBanner } from "./link_banner";
 import { MapPanel } from "../systems/map_panel";
 import type { Model } from "../session/model";
+import { NameKeys } from "../naming/name_keys";
 import { NamePanel } from "../naming/name_panel";
+import { Namer } from "../naming/namer";
+import { Naming } from "../naming/naming";
+import { NamingNote } from "../naming/naming_note";
 import { problemBar } from "./problem_bar";
 import { sessionRow } from "./session_row";
 import { SkinPanel } from "../scene/skin_panel";
 import { StatusLine } from "./status_line";
 import { StripsPanel } from "../strips/strips_panel";
+import { Tones } from "./tones";
 import { Tour } from "./tour";
 import { Transport } from "./transport";
 
@@ -31,12 +36,17 @@ export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): 
   const help = helpDialog(status.root);
   const drawer = new Drawer(model);
   const hand = new HandPanel(model);
+  const tones = new Tones();
+  const note = new NamingNote(tones);
+  const namer = new Namer(model, (outcome) => note.show(outcome));
+  const naming = new Naming(model, namer, note);
+  const keys = new NameKeys(model, namer, tones);
   const panels = [
     hand,
     new SkinPanel(model),
     new CodePanel(model, () => drawer.openGraph()),
     new MapPanel(model),
-    new NamePanel(model),
+    new NamePanel(model, keys),
     new StripsPanel(model),
   ].map(({ panel }) => panel);
   const tour = new Tour(panels);
@@ -48,8 +58,18 @@ export function buildPage(root: HTMLElement, model: Model, tryNow: () => void): 
   ]);
   const places = element("div", { class: "panels" }, [...panels.map((panel) => panel.root), drawer.root]);
   const header = pageHeader(model, { help: help.show, tour: () => tour.begin() });
-  fill(root, [header, messages, places, sessionRow(model), transport.root, help.root, tour.root]);
-  listenToKeys({ transport, panels, help: help.show });
+  fill(root, [header, messages, places, sessionRow(model, naming), transport.root, help.root, tour.root]);
+  const named = {
+    get isOn() {
+      return keys.isOn;
+    },
+    prepare: () => tones.prepare(),
+    giveKnown: (key: number) => namer.giveKnown(key),
+    accept: () => namer.accept(),
+    undo: () => namer.undo(),
+    type: () => naming.edit(true),
+  };
+  listenToKeys({ transport, panels, naming: named, help: help.show });
   model.shownLink.watch(({ kind }) => root.classList.toggle("without-program", kind !== "open"));
   return { status, hand };
 }

@@ -4,10 +4,10 @@
 import { element, uniqueId } from "../../parts/dom";
 import { FilmButtons } from "./film";
 import type { Model } from "../session/model";
-import { Naming } from "../naming/naming";
+import type { Naming } from "../naming/naming";
 import { sessionFiles } from "./session_files";
 
-export function sessionRow(model: Model): HTMLElement {
+export function sessionRow(model: Model, naming: Naming): HTMLElement {
   const files = element("div", { class: "session-all", id: uniqueId("session") }, [
     new FilmButtons(model).root,
     sessionFiles(model),
@@ -22,5 +22,5 @@ export function sessionRow(model: Model): HTMLElement {
     const isOpen = files.classList.toggle("open");
     more.setAttribute("aria-expanded", String(isOpen));
   });
-  return element("div", { class: "session" }, [new Naming(model).root, more, files]);
+  return element("div", { class: "session" }, [naming.root, more, files]);
 }
