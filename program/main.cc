@@ -7,7 +7,7 @@ int main(int argc, char** argv) {
   report_file_size_limits();
   std::vector<Command> commands{
       explore_command(),      reproduce_command(),      run_command(),
-      sweep_command(),        merge_command(),          report_command(),
+      sweep_command(),        merge_command(),          report_command(),          figure_command(),
       view_command(),         live_command(),           information_command(),
       suggest_command(),      touch_order_command(),    apply_command(),
       systems_command(),      modules_command(),        import_command(),

@@ -15,7 +15,7 @@
 #include "terminal/wording.h"
 #include "view/demonstrated_recording.h"
 #include "view/film.h"
-#include "view/headless_browser.h"
+#include "terminal/headless_browser.h"
 #include "view/view_serving.h"
 #include "views/live/view_server.h"
 #include "views/live/view_session.h"
