@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/files/whole_file.h"
+#include "report/pdf_box.h"
 #include "terminal/base64.h"
 
 namespace somato::program {
@@ -17,6 +18,9 @@ using SortedJson = nlohmann::json;
 // Of the window, in which the parts of the page are drawn.
 constexpr std::size_t kWidth = 1280;
 constexpr std::size_t kHeight = 800;
+
+// mm, by which the paper is larger than a picture that it must contain as a whole.
+constexpr double kAroundPicture = 1.0;
 
 // The address of a file: other characters than these have a meaning in addresses.
 std::string address_of(const std::string& path) {
@@ -74,7 +78,9 @@ Result<std::string> FigurePage::printed(const std::string& page, double width, d
   SOMATO_TRY_VOID(browser_.wait_until(
       "document.documentElement?.dataset.picture !== undefined && "
       "document.readyState === \"complete\" && document.fonts.status === \"loaded\""));
-  return browser_.printed(width, height);
+  return browser_.printed(width + kAroundPicture, height + kAroundPicture).map([&](std::string pdf) {
+    return cut_page(std::move(pdf), width, height);
+  });
 }
 
 }  // namespace somato::program

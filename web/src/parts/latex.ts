@@ -63,7 +63,8 @@ function alignment({ columns, rows }: Table, column: number): string {
 function cellText(cell: Cell): string {
   if (cell === null || (typeof cell === "number" && !Number.isFinite(cell))) return "--";
   if (typeof cell === "number") return escaped(significant(cell, Number.isInteger(cell) ? 15 : kFigures));
-  return escaped(cell);
+  // After the end of a row, these would be arguments of its command.
+  return /^[[*]/.test(cell) ? `{}${escaped(cell)}` : escaped(cell);
 }
 
 /** Words of which no character is a command of LaTeX. */

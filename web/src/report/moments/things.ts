@@ -32,7 +32,7 @@ export function thingsFigure(system: SystemReport): Child {
     file: `${systemName(system)}-things`,
     body: scrolled("Things", table),
     numbers: () => thingsTable(things),
-    printed: { note: "", table: () => ({ columns: columns.map(({ name }) => capital(name)), rows: things.map((thing) => columns.map(({ value }) => value(thing))) }) },
+    printed: { note: "Sizes are width × depth × height.", table: () => printedThings(things, columns) },
     note: noteOf(things),
     wide: true,
   });
@@ -95,6 +95,12 @@ function thingRow(thing: ThingData, scale: number, columns: Column[]): HTMLEleme
     element("th", { scope: "row" }, [first?.value(thing) ?? ""]),
     ...rest.map(({ value, isNumber }) => element("td", { class: isNumber ? "number" : "" }, [value(thing)])),
   ]);
+}
+
+/** As on the page, without the pictures. */
+function printedThings(things: ThingData[], columns: Column[]): Table {
+  const rows = things.map((thing) => columns.map(({ value }) => value(thing).replaceAll("_", " ")));
+  return { columns: columns.map(({ name }) => capital(name)), rows };
 }
 
 function thingsTable(things: ThingData[]): Table {

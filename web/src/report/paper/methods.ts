@@ -51,7 +51,8 @@ function systemParagraphs(system: SystemReport, data: ReportData): Text {
     ],
     [...left.modules(map).map((part) => moduleSentence(left, part)), ...(map === null ? [] : mapSentences(left, map, system))],
     [
-      ...system.protocols.map((protocol) => [protocolSentence(protocol, left)]),
+      ...system.protocols.map((protocol) => [`${trainedWords(protocol, left)}, and tested by the label ${inWords(protocol.label)}.`]),
+      ...runSentences(system).map((words) => [words]),
       ...left.parts(/./).map((part) => left.sentence(part, otherWords(part))),
       ...notGivenSentences(system),
     ],
@@ -112,13 +113,19 @@ function sizeWords({ grid }: SystemReport): string {
   return graphOf(grid) ? ` of ${countOf(neuronCount(grid), "neuron")}` : ` of ${grid.rows} × ${grid.columns} neurons`;
 }
 
-function protocolSentence(protocol: ProtocolData, left: SettingsLeft): string {
-  const seeds = [...new Set(protocol.runs.map(({ seed }) => seed))];
-  const [least, most] = [Math.min(...seeds), Math.max(...seeds)];
-  const span = seeds.length === 1 ? `the seed ${least}` : `${seeds.length} seeds from ${least} to ${most}`;
-  const runs = seeds.length === 0 ? "" : ` This was done in ${countOf(protocol.runs.length, "run")} with ${span}.`;
-  const by = `, and tested by the label ${inWords(protocol.label)}`;
-  return `${trainedWords(protocol, left)}${by}.${runs}`;
+/** One for all protocols, or one for each if they differ. */
+function runSentences({ protocols }: SystemReport): string[] {
+  const runs = protocols.map(runWords);
+  const [first] = runs;
+  if (first === undefined) return [];
+  if (new Set(runs).size === 1) return [`${protocols.length > 1 ? "Each of these tests" : "This"} was done in ${first}.`];
+  return runs.map((words, i) => `Test ${i + 1} was done in ${words}.`);
+}
+
+function runWords({ runs }: ProtocolData): string {
+  const seeds = [...new Set(runs.map(({ seed }) => seed))].sort((one, other) => one - other);
+  const span = seeds.length === 1 ? `the seed ${seeds[0]}` : `${seeds.length} seeds from ${seeds[0]} to ${seeds.at(-1)}`;
+  return seeds.length === 0 ? "no run" : `${countOf(runs.length, "run")} with ${span}`;
 }
 
 function trainedWords({ protocol, group, samples, label }: ProtocolData, left: SettingsLeft): string {

@@ -69,7 +69,7 @@ export function listedReference({ fields }: Reference): string {
   const words = (name: string) => fields.find(([one]) => one === name)?.[1].replaceAll("--", "–") ?? "";
   const authors = words("author").replaceAll(/[{}]/g, "").replaceAll(" and ", "; ");
   const year = words("year") === "" ? "" : ` (${words("year")})`;
-  const version = words("version") === "" ? "" : `version ${words("version")}`;
+  const version = words("version") === "" ? "" : `Version ${words("version")}`;
   const places = [words("journal"), words("publisher"), words("volume"), words("pages"), version];
   const place = places.filter((one) => one !== "").join(", ");
   return `${authors}${year}. ${words("title")}.${place === "" ? "" : ` ${place}.`}`;
