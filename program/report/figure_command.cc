@@ -93,6 +93,17 @@ Result<void> print_names(const Arguments& arguments) {
   return {};
 }
 
+// The figures of several systems begin with the name of their system.
+Error unknown_figure(const std::string& name, const std::vector<std::string>& known) {
+  std::vector<std::string> longer;
+  for (const std::string& one : known) {
+    if (one.ends_with("-" + name)) longer.push_back(one);
+  }
+  Error error = unknown_name("figure", name, "figure", known);
+  if (!longer.empty()) error.advice = fmt::format("did you mean {}?", fmt::join(longer, " or "));
+  return error;
+}
+
 Result<void> check_known(const std::vector<ListedFigure>& figures, const FigureRequest& request) {
   std::vector<std::string> names;
   for (const ListedFigure& one : figures) {
@@ -102,7 +113,7 @@ Result<void> check_known(const std::vector<ListedFigure>& figures, const FigureR
     return fail(ErrorKind::kUsage, fmt::format("it cannot be saved as .{}", request.ending),
                 request.name, fmt::format("known are: .{}", fmt::join(one.endings, ", .")));
   }
-  return tl::unexpected(unknown_name("figure", request.name, "figure", names));
+  return tl::unexpected(unknown_figure(request.name, names));
 }
 
 Result<void> save_figure(const Arguments& arguments) {

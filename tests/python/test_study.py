@@ -191,3 +191,16 @@ def test_files_that_are_wrong_are_named(recording, toml, tmp_path):
         study(recording, tmp_path / "none.toml")
     with pytest.raises(pysomato.DataError, match="grasps.toml"):
         load(toml)
+
+
+def test_figures_for_a_paper_are_those_of_the_program(recording, toml, tmp_path):
+    outcome = study(recording, toml, seeds=1, protocols="train_is_test")
+    outcome.figure("methods", tmp_path / "methods.txt")
+    methods = (tmp_path / "methods.txt").read_text()
+    assert f"Somato, version {pysomato.__version__}" in methods
+    assert "from the recording" in methods
+    outcome.save(tmp_path)
+    with pytest.raises(pysomato.UsageError, match="known are: .svg, .pdf, .png"):
+        pysomato.figure(tmp_path / "results.json", "map", tmp_path / "map.gif")
+    with pytest.raises(pysomato.UsageError, match="'9in' .* is not from|is not a width|no effect"):
+        pysomato.figure(tmp_path / "results.json", "map", tmp_path / "map.csv", width="9in")

@@ -62,7 +62,9 @@ TEST_F(Outputs, AreNeverWhatIsRead) {
        {"things.toml", "settings.toml"}},
       {{"report", "out/results.json", "--data", "grasps.mcap", "--model", "other.somato"},
        {"out/results.json", "grasps.mcap", "other.somato", "out/system.somato",
-        "out/beside.mcap"}}};
+        "out/beside.mcap"}},
+      {{"figure", "out/results.json", "map", "--data", "grasps.mcap", "--model", "other.somato"},
+       {"out/results.json", "grasps.mcap", "other.somato"}}};
   for (const ReadingCommand& command : commands) {
     for (const std::string& flag : command.flags) {
       for (const std::string& read : command.reads) {

@@ -208,9 +208,9 @@ test("tables are saved as LaTeX, and the program can be cited", async () => {
   const figure = figureOf(page.locator("#overview"), "Systems");
   const tex = (await saved(figure, "LaTeX")).bytes.toString("utf8");
   expect(tex).toContain("\\begin{tabular}{llr");
-  expect(tex).toContain("t\\_mpsom\\_multiplied & ");
-  expect(tex.match(/\\\\$/gm)!.length).toBe(4); // the head and three systems
+  expect(tex).toContain("t mpsom multiplied & training samples & ");
+  expect(tex.match(/\\\\$/gm)!.length).toBe(5); // the head, one of two systems and two of one
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: "BibTeX" }).click();
-  expect((await waiting).suggestedFilename()).toBe("somato.bib");
+  expect((await waiting).suggestedFilename()).toBe("references.bib");
 });

@@ -64,14 +64,14 @@ function dataWords(system: SystemReport): string {
   const samples = Math.max(0, ...protocols.map((one) => one.samples));
   const label = protocols[0]?.label ?? "";
   const classes = label === "" ? "" : ` of ${countOf(classesOf(system, label).length, "class", "classes")} of the label ${inWords(label)}`;
-  const hash = data_hash === "" ? "" : ` (hash of the data: ${data_hash})`;
-  const from = recordings.length === 0 ? "" : ` from ${recordingWords(recordings)}${hash}`;
+  const hash = data_hash === "" ? "" : ` (hash of the data${recordings.length > 1 ? " of the first" : ""}: ${data_hash})`;
+  const from = recordings.length === 0 ? "" : ` ${recordingWords(recordings)}${hash}`;
   return `was trained and tested on ${countOf(samples, "exploration")}${classes}${from}`;
 }
 
 function recordingWords(names: string[]): string {
-  if (names.length === 1) return `the recording ${names[0]}`;
-  return `${names.length} recordings, ${names[0]} to ${names.at(-1)}`;
+  if (names.length === 1) return `from the recording ${names[0]}`;
+  return `from each of ${names.length} recordings, ${names[0]} to ${names.at(-1)}`;
 }
 
 function exploringWords(part: string): string {
@@ -104,7 +104,7 @@ function mapSentences(left: SettingsLeft, part: string, system: SystemReport): S
   const first: Sentence = [`The output map is ${kMaps.get(type)}${sizeWords(system)}`, papersOfType(type), ` with the input ${input}.`];
   if (left.look(part, "iterations") === "") return [first, left.sentence(part, "It was trained")];
   const take = (name: string) => inWords(left.take(part, name));
-  const learning = `It was trained for ${take("iterations")} iterations (${take("training")}); the learning rate followed a ${take("learning_rate_schedule")} schedule from ${take("learning_rate_start")} to ${take("learning_rate_end")}, and the ${take("neighbourhood")} neighbourhood radius a ${take("radius_schedule")} schedule from ${take("radius_start")} to ${take("radius_end")}.`;
+  const learning = `It was trained for ${take("iterations")} iterations (${take("training")}); the learning rate changed from ${take("learning_rate_start")} to ${take("learning_rate_end")} (${take("learning_rate_schedule")} schedule), and the radius of the neighbourhood (${take("neighbourhood")}) from ${take("radius_start")} to ${take("radius_end")} (${take("radius_schedule")} schedule).`;
   return [first, [learning], left.sentence(part, "Map and training were set up")];
 }
 

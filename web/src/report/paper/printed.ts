@@ -29,11 +29,12 @@ function systemRows(system: SystemReport): Cell[][] {
     return [[inWords(systemName(system)), by, spread(accuracy), spread(baseline), chance, protocol.samples, runs]];
   };
   const things = inWords(fresh?.protocol.group ?? "thing");
-  return [
+  const rows = [
     ...row("training samples", trained),
     ...row("samples left out", known),
     ...row(`each ${things} left out`, fresh),
   ];
+  return rows.length > 0 ? rows : [[inWords(systemName(system)), "–", "–", "–", "–", null, runs]];
 }
 
 /** The share of the most frequent class in the first run; null if the classes are unknown. */
