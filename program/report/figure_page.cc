@@ -15,7 +15,7 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-// Of the window, in which the parts of the page are drawn.
+// The window in which the parts of the page are drawn.
 constexpr std::size_t kWidth = 1280;
 constexpr std::size_t kHeight = 800;
 
@@ -27,7 +27,8 @@ std::string address_of(const std::string& path) {
   std::string address = "file://";
   for (const char c : path) {
     const auto byte = static_cast<unsigned char>(c);
-    const bool is_plain = std::isalnum(byte) != 0 || std::string_view("/-._~").find(c) != std::string_view::npos;
+    const bool is_plain =
+        std::isalnum(byte) != 0 || std::string_view("/-._~").find(c) != std::string_view::npos;
     address += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
   return address;
@@ -62,8 +63,8 @@ Result<std::string> FigurePage::file(const FigureRequest& request) {
                           {"ending", request.ending},
                           {"caption", request.has_caption},
                           {"selection", request.selection}};
-  SOMATO_TRY(const auto made, browser_.value_of(fmt::format("somatoFigures.file({})",
-                                                            wanted.dump())));
+  SOMATO_TRY(const auto made,
+             browser_.value_of(fmt::format("somatoFigures.file({})", wanted.dump())));
   if (made.contains("problem")) return fail(ErrorKind::kUsage, made["problem"], request.name);
   if (made.contains("text")) return made["text"].get<std::string>();
   if (made.contains("base64")) return from_base64(made["base64"].get_ref<const std::string&>());
@@ -78,9 +79,8 @@ Result<std::string> FigurePage::printed(const std::string& page, double width, d
   SOMATO_TRY_VOID(browser_.wait_until(
       "document.documentElement?.dataset.picture !== undefined && "
       "document.readyState === \"complete\" && document.fonts.status === \"loaded\""));
-  return browser_.printed(width + kAroundPicture, height + kAroundPicture).map([&](std::string pdf) {
-    return cut_page(std::move(pdf), width, height);
-  });
+  return browser_.printed(width + kAroundPicture, height + kAroundPicture)
+      .map([&](std::string pdf) { return cut_page(std::move(pdf), width, height); });
 }
 
 }  // namespace somato::program

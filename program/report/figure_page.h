@@ -14,7 +14,7 @@ namespace somato::program {
 struct ListedFigure {
   std::string name;
   std::string title;
-  std::vector<std::string> endings;  ///< Of its files, such as "pdf".
+  std::vector<std::string> endings;  ///< The endings of its files, such as "pdf".
 };
 
 struct FigureRequest {

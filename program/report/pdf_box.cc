@@ -28,8 +28,8 @@ std::string cut_page(std::string pdf, double width, double height) {
   const std::size_t end = pdf.find(']', at);
   if (at == std::string::npos || spare == std::string::npos || end > spare) return pdf;
   const double top = height_at(pdf, at);
-  std::string part = fmt::format("/MediaBox [0 {:.3f} {:.3f} {:.3f}]", top - height * kPoint,
-                                 width * kPoint, top);
+  std::string part =
+      fmt::format("/MediaBox [0 {:.3f} {:.3f} {:.3f}]", top - height * kPoint, width * kPoint, top);
   part += pdf.substr(end + 1, spare - end - 1);
   // The file ends in a table of the places of its parts, which must not move.
   const std::size_t length = spare + kUnneeded.size() - at;

@@ -36,8 +36,8 @@ Result<ChildProcess> start(const ScratchFolder& profile) {
     words.front() = name;
     if (auto process = ChildProcess::start(words, {3, 4})) return process;
   }
-  return fail(ErrorKind::kSystem, "pictures without a window require the browser Chromium", "chromium",
-              "install it, on Debian with: sudo apt-get install chromium");
+  return fail(ErrorKind::kSystem, "pictures without a window require the browser Chromium",
+              "chromium", "install it, on Debian with: sudo apt-get install chromium");
 }
 
 }  // namespace

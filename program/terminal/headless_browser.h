@@ -26,7 +26,8 @@ class HeadlessBrowser {
   /// drawn. Errors: kSystem if this takes longer than a minute.
   Result<void> wait_until(const std::string& condition);
 
-  /// The value of an expression in JavaScript, or of its promise. Errors: kSystem, also if it throws.
+  /// The value of an expression in JavaScript, or of its promise. Errors: kSystem, also if it
+  /// throws.
   Result<nlohmann::json> value_of(const std::string& expression);
 
   /// The bytes of a PDF file of the page on paper of this size in mm, without margins. Errors:

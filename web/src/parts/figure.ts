@@ -41,7 +41,7 @@ export interface FigureOptions {
 
 const kOptions = new WeakMap<Element, FigureOptions>();
 
-/** What a figure was made of. */
+/** The options of a figure that figure() has made. */
 export function optionsOf(made: Element): FigureOptions | undefined {
   return kOptions.get(made);
 }

@@ -1,4 +1,4 @@
-// What a paper takes from a report without a picture: names of figures, tables, methods, references.
+// All that a paper takes from a report beside pictures: names of figures, tables, methods, references.
 
 import { expect, test } from "vitest";
 

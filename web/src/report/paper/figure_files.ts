@@ -92,7 +92,7 @@ function withPdf(options: FigureOptions): string[] {
   return endingsOf(options).flatMap((ending) => (ending === "svg" ? ["svg", "pdf"] : [ending]));
 }
 
-/** What is wrong with the selection, or "". */
+/** Selects as `words` state; the error as a sentence, or "". */
 function select({ selection }: Source, words: string): string {
   if (words === "") return "";
   if (!selection) return kNoSelection;

@@ -1,4 +1,4 @@
-// What a paper cites: the program, the papers whose systems are used, and those that introduced the
+// The references of a paper: the program, the papers whose systems are used, and those that introduced the
 // maps in them.
 
 import type { ReportData, SystemReport } from "../page/unpacked";
