@@ -1,5 +1,6 @@
 // Saved figures: pixels that are the data, fonts, width, caption and metadata.
 
+import { readFileSync } from "node:fs";
 import { inflateSync } from "node:zlib";
 
 import type { Locator, Page } from "playwright-core";
@@ -213,4 +214,7 @@ test("tables are saved as LaTeX, and the program can be cited", async () => {
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: "BibTeX" }).click();
   expect((await waiting).suggestedFilename()).toBe("references.bib");
+  const methods = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Methods" }).click();
+  expect(readFileSync(await (await methods).path(), "utf8")).toContain("The system t mpsom multiplied~\\cite{");
 });

@@ -33,7 +33,8 @@ export function savingControls(data: ReportData): HTMLElement {
     element("p", { class: "list-title" }, ["Saved figures"]),
     widths.element,
     element("span", { class: "control" }, [caption, element("label", { for: id }, ["Title and caption"])]),
-    element("p", { class: "muted version" }, [`Somato ${data.somato} `, cite, " ", methods]),
+    element("p", { class: "muted version" }, ["Save ", cite, methods]),
+    element("p", { class: "muted version" }, [`Somato ${data.somato}`]),
   ]);
 }
 
