@@ -9,6 +9,7 @@ Command reproduce_command();
 Command sweep_command();
 Command merge_command();
 Command report_command();
+Command figure_command();
 Command information_command();
 Command suggest_command();
 Command touch_order_command();

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "base/files/whole_file.h"
+#include "terminal/headless_browser.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
 #include "view/demonstrated_recording.h"
 #include "view/film.h"
-#include "view/headless_browser.h"
 #include "view/view_serving.h"
 #include "views/live/view_server.h"
 #include "views/live/view_session.h"

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from .drawing import *
     from .errors import *
     from .exploring import *
+    from .figures import *
     from .recording import *
     from .som import *
     from .som_classifier import *
@@ -23,6 +24,7 @@ _NAMES_OF = {
     "errors": ["ConversionWarning", "DataError", "DataTypeError", "Error", "LabelWarning", "LeftOutWarning",
                "MissingChannelError", "NotFittedError", "OperatingSystemError", "UsageError"],
     "exploring": ["explore", "object_tables"],
+    "figures": ["figure"],
     "recording": ["Recording", "read"],
     "som": ["SOM"],
     "som_classifier": ["SOMClassifier"],

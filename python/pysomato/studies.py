@@ -4,6 +4,7 @@ import json
 import math
 import os
 import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ from ._program import run_program
 from ._progress import shown
 from .drawing import Drawing, Page
 from .errors import MissingChannelError, OperatingSystemError
+from .figures import figure
 from .recording import Recording
 from .som import SOM
 
@@ -257,12 +259,24 @@ class Study:
         Args:
             height: The height of the page in a notebook, in pixels.
         """
-        with tempfile.TemporaryDirectory() as folder:
-            self.save(folder)
-            self._recording.write(os.path.join(folder, "recording.mcap"))
+        with self._files() as folder:
             run_program("report", "results.json", "--data", "recording.mcap", "--output",
                         "report.html", folder=folder)
             return Page(Path(folder, "report.html").read_text(encoding="utf-8"), height)
+
+    def figure(self, name, path, *, width=None, caption=False, selection=None) -> None:
+        """Saves a figure or a table of the report, or the methods, as ``pysomato.figure`` does."""
+        with self._files() as folder:
+            figure(os.path.join(folder, "results.json"), name, path, width=width, caption=caption,
+                   selection=selection, data=os.path.join(folder, "recording.mcap"))
+
+    @contextmanager
+    def _files(self):
+        """A folder with the files of the study and its recording, while it is used."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.save(folder)
+            self._recording.write(os.path.join(folder, "recording.mcap"))
+            yield folder
 
     def _protocols(self):
         return self.results["parts"][0]["protocols"]

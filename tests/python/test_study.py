@@ -1,6 +1,8 @@
 """Studies give the results of the program, and their systems process frames."""
 
+import functools
 import json
+import shutil
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -191,3 +193,24 @@ def test_files_that_are_wrong_are_named(recording, toml, tmp_path):
         study(recording, tmp_path / "none.toml")
     with pytest.raises(pysomato.DataError, match="grasps.toml"):
         load(toml)
+
+
+@pytest.mark.skipif(shutil.which("chromium") is None, reason="figures are drawn by Chromium")
+def test_a_figure_of_a_study_is_that_of_the_program(recording, toml, tmp_path):
+    outcome = study(recording, toml, seeds=1, protocols="train_is_test")
+    outcome.figure("methods", tmp_path / "methods.txt")
+    methods = (tmp_path / "methods.txt").read_text()
+    assert f"Somato, version {pysomato.__version__}" in methods
+    assert "explorations of" in methods and "in 1 run with the seed 1." in methods
+
+
+def test_arguments_of_a_figure_are_those_of_the_program(tmp_path):
+    figure = functools.partial(pysomato.figure, tmp_path / "results.json", "map")
+    with pytest.raises(pysomato.UsageError, match="known are: .svg, .pdf, .png"):
+        figure(tmp_path / "map.gif")
+    with pytest.raises(pysomato.UsageError, match="'20in' is not from 20 to 500 mm"):
+        figure(tmp_path / "map.pdf", width="20in")
+    with pytest.raises(pysomato.UsageError, match="--caption: has no effect"):
+        figure(tmp_path / "map.csv", caption=True)
+    with pytest.raises(pysomato.Error, match="results.json"):
+        figure(tmp_path / "map.pdf", width="3.3in", caption=True, selection="run=1")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/core/contains.h"
 #include "base/files/toml_file.h"
 #include "systems/graph/phase_plan.h"
 #include "systems/graph/wiring.h"
@@ -128,6 +129,13 @@ Result<void> check_parts(const std::vector<SystemModule>& modules, const SystemD
 
 const modules::Delay* delay_of(const SystemModule& module) {
   return dynamic_cast<const modules::Delay*>(module.module.get());
+}
+
+// Whether a phase sets the length of the training of that module.
+bool is_drawn_by_a_phase(const SystemDescription& description, const std::string& module) {
+  return std::ranges::any_of(description.phases, [&](const PhaseDescription& phase) {
+    return phase.draws && contains(phase.learn, module);
+  });
 }
 
 }  // namespace
@@ -300,6 +308,7 @@ Result<void> System::infer_module(std::size_t number) {
   if (!inputs.empty()) module.rates = inputs.front().rates;
   Table& settings = description_.modules[number].settings;
   for (Table::Entry& decided : module.module->decide(inputs, layout_).entries) {
+    if (decided.name == "iterations" && is_drawn_by_a_phase(description_, module.name)) continue;
     set_entry(settings, std::move(decided));
   }
   auto output = module.module->connect(inputs);

@@ -61,8 +61,9 @@ TEST_F(Outputs, AreNeverWhatIsRead) {
       {{"explore", "--body", "lucs2", "--objects", "things.toml", "--settings", "settings.toml"},
        {"things.toml", "settings.toml"}},
       {{"report", "out/results.json", "--data", "grasps.mcap", "--model", "other.somato"},
-       {"out/results.json", "grasps.mcap", "other.somato", "out/system.somato",
-        "out/beside.mcap"}}};
+       {"out/results.json", "grasps.mcap", "other.somato", "out/system.somato", "out/beside.mcap"}},
+      {{"figure", "out/results.json", "map", "--data", "grasps.mcap", "--model", "other.somato"},
+       {"out/results.json", "grasps.mcap", "other.somato"}}};
   for (const ReadingCommand& command : commands) {
     for (const std::string& flag : command.flags) {
       for (const std::string& read : command.reads) {

@@ -53,7 +53,7 @@ TEST(SweepPlan, GivesSeveralKeysTheSameValueAndReachesExploring) {
       "[unknown.n]\nkey = 'explore.press.step'\ntext = 'x'\nvalues = [0.25]\n";
   const auto sweep = planned(sweep_toml("full_factorial", two));
   ASSERT_TRUE(sweep) << to_string(sweep.error());
-  EXPECT_EQ(sweep->own_values, (std::vector<std::string>{"5, 15", "0.5"}));
+  EXPECT_EQ(sweep->own_values, (std::vector<std::string>{"5, \"automatic\"", "0.5"}));
   const auto plan = plan_of_point(*sweep, sweep_points(sweep->sweep)[0]);
   ASSERT_TRUE(plan) << to_string(plan.error());
   EXPECT_EQ(setting(plan->parts[0], "map", "rows"), "4");

@@ -143,7 +143,7 @@ TEST(Module, ChannelFillsInvalidValuesWithNumbers) {
 
 TEST(Module, ChannelFillsEachSelectedElementWithItsOwnNumber) {
   Recording recording = hand_recording(1, 7);
-  Channel& joints = recording.explorations[0].channels[1];
+  Channel& joints = recording.explorations[0].channels[2];
   ASSERT_EQ(joints.name, "joints");
   joints.valid = Matrix<std::uint8_t>(joints.frames.rows(), joints.frames.columns(), 1);
   joints.valid(0, 1) = 0;

@@ -3,7 +3,7 @@
 //   const shown = figure({ title: "U-matrix", file: "system-u-matrix", body: picture.element,
 //                          picture: () => picture.svg, numbers: () => table });
 //
-// `picture`, `numbers` and `about` are called when a button is pressed, so they return the current
+// `picture`, `numbers` and `about` are called when a file is made, so they return the current
 // content. A figure without a picture (a table) offers CSV and LaTeX. Its `file` is its id as well,
 // so that a link can lead to it.
 
@@ -19,6 +19,12 @@ export interface Shown {
   facts: [name: string, value: string][];
 }
 
+/** The table of a paper: few columns, in words, with a sentence for its caption. */
+export interface Printed {
+  table: () => Table;
+  note: string;
+}
+
 export interface FigureOptions {
   title: string;
   note?: string; // a sentence below, also in saved files
@@ -28,8 +34,16 @@ export interface FigureOptions {
   body: Node;
   picture?: () => SVGSVGElement | null;
   numbers: () => Table;
+  printed?: Printed; // without it `numbers`
   about?: () => Shown;
   wide?: boolean;
+}
+
+const kOptions = new WeakMap<Element, FigureOptions>();
+
+/** The options of a figure that figure() has made. */
+export function optionsOf(made: Element): FigureOptions | undefined {
+  return kOptions.get(made);
 }
 
 export function figure(options: FigureOptions): HTMLElement {
@@ -42,13 +56,15 @@ export function figure(options: FigureOptions): HTMLElement {
   const controls = options.controls ? element("div", { class: "controls" }, options.controls) : null;
   const note = options.note ? element("figcaption", {}, [options.note]) : null;
   const kind = options.wide ? "figure wide" : "figure";
-  return element("figure", { id, class: kind, "aria-label": options.title }, [
+  const made = element("figure", { id, class: kind, "aria-label": options.title }, [
     header,
     controls,
     options.body,
     note,
     options.hint ? element("p", { class: "small muted no-print" }, [options.hint]) : null,
   ]);
+  kOptions.set(made, options);
+  return made;
 }
 
 /** The part of an address that leads to a figure or a section called `name`. */
@@ -61,46 +77,60 @@ export function scrolled(label: string, table: HTMLTableElement): HTMLElement {
   return element("div", { class: "table-wrap", tabindex: 0, role: "group", "aria-label": label }, [table]);
 }
 
-function saveButtons(options: FigureOptions): HTMLElement {
-  const { picture, numbers, title } = options;
-  const buttons = picture
-    ? [
-        saver("SVG", title, () => saveSvg(options, picture())),
-        saver("PNG", title, () => savePng(options, picture())),
-      ]
-    : [saver("LaTeX", title, () => saveText(options, "tex", latex(numbers(), captionOf(options))))];
-  buttons.push(saver("CSV", title, () => saveText(options, "csv", csv(numbers()))));
-  return element("div", { class: "save no-print", role: "group", "aria-label": `Save ${title}` }, buttons);
+const kKinds = { svg: "SVG", png: "PNG", tex: "LaTeX", csv: "CSV" } as const;
+
+export type Ending = keyof typeof kKinds;
+
+/** The endings of the files in which a figure can be saved. */
+export function endingsOf({ picture, printed }: FigureOptions): Ending[] {
+  if (!picture) return ["tex", "csv"];
+  return printed ? ["svg", "png", "tex", "csv"] : ["svg", "png", "csv"];
 }
 
-function saver(kind: string, title: string, save: () => Promise<void>): HTMLElement {
-  const label = `${kind}: save ${title}`;
+/** The content of the file; null without a picture at present. */
+export async function fileOf(options: FigureOptions, ending: Ending): Promise<Blob | null> {
+  const { picture, numbers } = options;
+  if (ending === "csv") return textBlob(csv(numbers()));
+  if (ending === "tex") return textBlob(latexOf(options));
+  const shown = picture?.() ?? null;
+  if (shown === null) return null;
+  const svg = svgText(shown, aboutOf(options));
+  return ending === "svg" ? new Blob([svg], { type: "image/svg+xml" }) : pngOf(svg, aboutOf(options));
+}
+
+function latexOf(options: FigureOptions): string {
+  const { table, note } = options.printed ?? { table: options.numbers, note: options.note ?? "" };
+  return latex(table(), captionOf({ ...options, note }), idOf(options.file));
+}
+
+function textBlob(words: string): Blob {
+  return new Blob([words], { type: "text/plain" });
+}
+
+function saveButtons(options: FigureOptions): HTMLElement {
+  const buttons = endingsOf(options).map((ending) => saver(options, ending));
+  return element("div", { class: "save no-print", role: "group", "aria-label": `Save ${options.title}` }, buttons);
+}
+
+function saver(options: FigureOptions, ending: Ending): HTMLElement {
+  const kind = kKinds[ending];
+  const label = `${kind}: save ${options.title}`;
   const button = element(
     "button",
     { type: "button", class: "quiet", "aria-label": label, title: `Save as ${kind}` },
     [kind],
   );
   button.addEventListener("click", () => {
-    save().catch(() => {
+    save(options, ending).catch(() => {
       button.textContent = `${kind} failed`;
     });
   });
   return button;
 }
 
-async function saveSvg(options: FigureOptions, picture: SVGSVGElement | null): Promise<void> {
-  if (picture === null) return;
-  saveFile(nameOf(options, "svg"), new Blob([svgText(picture, aboutOf(options))], { type: "image/svg+xml" }));
-}
-
-async function savePng(options: FigureOptions, picture: SVGSVGElement | null): Promise<void> {
-  if (picture === null) return;
-  const about = aboutOf(options);
-  saveFile(nameOf(options, "png"), await pngOf(svgText(picture, about), about));
-}
-
-async function saveText(options: FigureOptions, ending: string, words: string): Promise<void> {
-  saveFile(nameOf(options, ending), new Blob([words], { type: "text/plain" }));
+async function save(options: FigureOptions, ending: Ending): Promise<void> {
+  const blob = await fileOf(options, ending);
+  if (blob !== null) saveFile(nameOf(options, ending), blob);
 }
 
 function nameOf({ file, about }: FigureOptions, ending: string): string {

@@ -85,6 +85,13 @@ export function rangeOf(values: readonly (number | null)[]): [number, number] | 
   return low <= high ? [low, high] : null;
 }
 
+/** The median of sorted numbers; null without any. */
+export function median(sorted: readonly number[]): number | null {
+  if (sorted.length === 0) return null;
+  const half = (sorted.length - 1) / 2;
+  return ((sorted[Math.floor(half)] ?? 0) + (sorted[Math.ceil(half)] ?? 0)) / 2;
+}
+
 /** With spaces and a capital letter. */
 export function capital(name: string): string {
   const words = name.replaceAll("_", " ");

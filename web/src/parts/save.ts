@@ -210,3 +210,13 @@ export function saveFile(name: string, blob: Blob): void {
   // The browser reads the address asynchronously, before it requests the file name.
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }
+
+/** A page of HTML that contains only the picture, at its size in millimetres. */
+export function printablePage(svg: string, title: string): { page: string; width: number; height: number } {
+  const picture = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+  const [width, height] = ["width", "height"].map((name) => Number.parseFloat(picture.getAttribute(name) ?? "0"));
+  const head = element("title", {}, [title]).outerHTML;
+  const style = "<style>html,body{margin:0}svg{display:block}</style>";
+  const page = `<!doctype html><html data-picture><meta charset="utf-8">${head}${style}${picture.outerHTML}</html>`;
+  return { page, width: width ?? 0, height: height ?? 0 };
+}

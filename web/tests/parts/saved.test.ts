@@ -10,14 +10,15 @@ test("every character of a LaTeX table stands for itself", () => {
   const rows = [
     ["50 % of a_b & c", 0.123456],
     ["\\ ~ ^ { } # $", null],
-    ["≥ ± ×", 12345678],
+    ["≥ ± × < –", 12345678],
   ];
-  const lines = latex({ columns: ["name", "value"], rows }, "A & B").split("\n");
+  const lines = latex({ columns: ["name", "value"], rows }, "A & B", "a_b").split("\n");
   expect(lines).toContain("  \\begin{tabular}{lr}");
+  expect(lines).toContain("  \\label{tab:a-b}");
   expect(lines).toContain("  \\caption{A \\& B}");
   expect(lines).toContain("    50 \\% of a\\_b \\& c & 0.1235 \\\\");
   expect(lines).toContain("    \\textbackslash{} \\textasciitilde{} \\textasciicircum{} \\{ \\} \\# \\$ & -- \\\\");
-  expect(lines).toContain("    $\\geq$ $\\pm$ $\\times$ & 12345678 \\\\");
+  expect(lines).toContain("    $\\geq$ $\\pm$ $\\times$ $<$ -- & 12345678 \\\\");
 });
 
 test("texts of a PNG stand after its header, with the checksum of the PNG specification", () => {

@@ -52,10 +52,11 @@ interface Results {
 
 let page: Page;
 let results: Results;
+let folder: string;
 const problems: string[] = [];
 
 beforeAll(async () => {
-  const folder = mkdtempSync(join(tmpdir(), "somato-program-"));
+  folder = mkdtempSync(join(tmpdir(), "somato-program-"));
   writeFileSync(join(folder, "pressed.toml"), kSystem);
   await somato(["explore", "--body", "hardness", "--explorations", "3", "-o", "pressed.mcap"], { cwd: folder });
   await somato(["run", "pressed.toml", "--data", "pressed.mcap", "--seeds", "3", "--out", "out"], { cwd: folder });
@@ -117,6 +118,48 @@ test("has the graph, the trained map, the moments and the materials", async () =
     "counts",
   );
   expect(await section().locator(".things tbody tr").count()).toBe(8);
+});
+
+/** Saves a figure of the results by the command. */
+async function figureFile(name: string, file: string, ...words: string[]): Promise<Buffer> {
+  await somato(["figure", "out/results.json", name, "--data", "pressed.mcap", "-o", file, ...words], { cwd: folder });
+  return readFileSync(join(folder, file));
+}
+
+test("somato figure names every figure of the page", async () => {
+  const listed = JSON.parse(await somato(["figure", "out/results.json", "--data", "pressed.mcap", "--json"], { cwd: folder })) as {
+    figures: { name: string; title: string; endings: string[] }[];
+  };
+  const titles = new Set(listed.figures.map(({ title }) => title));
+  const shown = await page.locator("figure").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")));
+  expect(shown.filter((title) => !titles.has(title ?? ""))).toEqual([]);
+  const names = listed.figures.map(({ name }) => name);
+  expect(names).toEqual([...new Set(names)]);
+  for (const name of ["map", "systems", "winners", "u-matrix", "hits", "outcomes", "methods", "references"]) expect(names).toContain(name);
+  expect(names.filter((name) => !/^[a-z0-9]+(-[a-z0-9]+)*$/.test(name))).toEqual([]);
+});
+
+// 8.8 cm are not a whole number of the pixels of which Chromium makes paper.
+test("somato figure saves a PDF of one page, with vectors and fonts, of exactly the chosen width", async () => {
+  const pdf = (await figureFile("winners", "winners.pdf", "--width", "8.8cm")).toString("latin1");
+  const [, bottom, right, top] = /\/MediaBox \[0 ([\d.]+) ([\d.]+) ([\d.]+)\]/.exec(pdf)!.map(Number);
+  expect(right).toBeCloseTo((88 * 72) / 25.4, 2);
+  expect(pdf.match(/\/Type \/Page\b/g)!.length).toBe(1);
+  expect(pdf).toContain("/FontFile2");
+  expect(pdf).not.toContain("/Subtype /Image");
+  expect(Number(/^startxref\n(\d+)$/m.exec(pdf)![1])).toBe(pdf.lastIndexOf("\nxref") + 1);
+  const svg = (await figureFile("winners", "winners.svg", "--width", "88mm")).toString("utf8");
+  const height = Number(/ width="88mm" height="([\d.]+)mm"/.exec(svg)![1]);
+  expect(top! - bottom!).toBeCloseTo((height * 72) / 25.4, 1);
+  expect(svg).toContain("font/woff2;base64,");
+});
+
+test("somato figure saves a PNG of what is selected, with 600 dots per inch", async () => {
+  const png = await figureFile("hits", "hits.png", "--width", "3in", "--selection", "label=hardness&run=2", "--caption");
+  expect(png.subarray(1, 4).toString()).toBe("PNG");
+  expect(png.readUInt32BE(16)).toBe(1800);
+  expect(png.toString("latin1")).toContain("Selection\0Train = test, by hardness, seed 2");
+  await expect(figureFile("hits", "none.png", "--selection", "label=weight")).rejects.toThrow(/hits: the system has no such label/);
 });
 
 test("finds no barrier and no error, and looks like this", async () => {

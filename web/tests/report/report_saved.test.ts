@@ -1,5 +1,6 @@
 // Saved figures: pixels that are the data, fonts, width, caption and metadata.
 
+import { readFileSync } from "node:fs";
 import { inflateSync } from "node:zlib";
 
 import type { Locator, Page } from "playwright-core";
@@ -208,9 +209,12 @@ test("tables are saved as LaTeX, and the program can be cited", async () => {
   const figure = figureOf(page.locator("#overview"), "Systems");
   const tex = (await saved(figure, "LaTeX")).bytes.toString("utf8");
   expect(tex).toContain("\\begin{tabular}{llr");
-  expect(tex).toContain("t\\_mpsom\\_multiplied & ");
-  expect(tex.match(/\\\\$/gm)!.length).toBe(4); // the head and three systems
+  expect(tex).toContain("t mpsom multiplied & training samples & ");
+  expect(tex.match(/\\\\$/gm)!.length).toBe(5); // the head, one of two systems and two of one
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: "BibTeX" }).click();
-  expect((await waiting).suggestedFilename()).toBe("somato.bib");
+  expect((await waiting).suggestedFilename()).toBe("references.bib");
+  const methods = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Methods" }).click();
+  expect(readFileSync(await (await methods).path(), "utf8")).toContain("The system t mpsom multiplied~\\cite{");
 });

@@ -24,6 +24,11 @@ export function connectivityFigures(system: SystemReport): Child[] {
   return [element("div", { class: "controls" }, [modules]), place];
 }
 
+/** The figures of all connections at once. */
+export function allConnectivityFigures(system: SystemReport): Child[] {
+  return (system.trained?.receptive_fields ?? []).flatMap((fields) => new Fields(system, fields).figures());
+}
+
 class Fields {
   private row = 0;
   private readonly matrix: MatrixPicture;

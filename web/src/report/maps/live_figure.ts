@@ -2,7 +2,7 @@
 
 import type { Table } from "../../parts/csv";
 import { element, fill, type Child } from "../../parts/dom";
-import { figure, type Shown } from "../../parts/figure";
+import { figure, type Printed, type Shown } from "../../parts/figure";
 import type { CellPicture } from "../../parts/maps/map_cursor";
 import { shownBySelection } from "../page/origin";
 import type { Selection } from "../page/selection";
@@ -21,6 +21,7 @@ export interface LiveOptions {
   controls?: Child[];
   wide?: boolean;
   about?: () => Shown;
+  printed?: Printed;
 }
 
 export function liveFigure(options: LiveOptions, selection: Selection, draw: () => Drawn): HTMLElement {

@@ -45,6 +45,13 @@ export function planeFigures(selection: Selection, prefix = ""): Child[] {
   return [notice, element("div", { class: "controls" }, channels), place];
 }
 
+/** The figures of all channels at once. */
+export function allPlaneFigures(selection: Selection): Child[] {
+  const { grid, trained } = selection.system;
+  if (!grid || !trained) return [];
+  return trained.planes.flatMap((planes) => new LinkedPlanes(selection, grid, planes, "").figures());
+}
+
 /** The plane with most elements comes first. */
 function richest(all: ChannelPlanes[]): number {
   const counts = all.map((planes) => planes.channel.elements.length);

@@ -1,9 +1,8 @@
 // Distributions as strips: for each metric the values of all runs, those of wrong groupings below,
 // and marks for the paper and the nearest neighbour.
 
-import { countOf, rangeOf, readable } from "../../parts/numbers";
+import { countOf, median, rangeOf, readable } from "../../parts/numbers";
 import { rounded, shape, shortened, svg, text } from "../../parts/svg";
-import { median } from "../tables/claims";
 
 export interface Strip {
   metric: string;

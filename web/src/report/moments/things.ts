@@ -4,7 +4,7 @@ import type { Table } from "../../parts/csv";
 import type { ThingData } from "../../parts/data";
 import { element, type Child } from "../../parts/dom";
 import { figure, scrolled } from "../../parts/figure";
-import { fixed, readable } from "../../parts/numbers";
+import { capital, fixed, readable } from "../../parts/numbers";
 import { commonScale, thingPicture } from "../../parts/hands/thing_picture";
 import type { SystemReport } from "../page/unpacked";
 import { systemName } from "../page/words";
@@ -32,6 +32,7 @@ export function thingsFigure(system: SystemReport): Child {
     file: `${systemName(system)}-things`,
     body: scrolled("Things", table),
     numbers: () => thingsTable(things),
+    printed: { note: "Sizes are width × depth × height.", table: () => printedThings(things, columns) },
     note: noteOf(things),
     wide: true,
   });
@@ -94,6 +95,12 @@ function thingRow(thing: ThingData, scale: number, columns: Column[]): HTMLEleme
     element("th", { scope: "row" }, [first?.value(thing) ?? ""]),
     ...rest.map(({ value, isNumber }) => element("td", { class: isNumber ? "number" : "" }, [value(thing)])),
   ]);
+}
+
+/** As on the page, without the pictures. */
+function printedThings(things: ThingData[], columns: Column[]): Table {
+  const rows = things.map((thing) => columns.map(({ value }) => value(thing).replaceAll("_", " ")));
+  return { columns: columns.map(({ name }) => capital(name)), rows };
 }
 
 function thingsTable(things: ThingData[]): Table {

@@ -60,7 +60,7 @@ function navigation(data: ReportData): HTMLElement {
   unfold();
   wide.addEventListener("change", unfold);
   lists.forEach((list) => list.addEventListener("click", unfold));
-  const parts: Child[] = [brand, themeButton(), fold, savingControls(data.somato)];
+  const parts: Child[] = [brand, themeButton(), fold, savingControls(data)];
   return element("nav", { class: "side no-print", "aria-label": "Contents" }, parts);
 }
 

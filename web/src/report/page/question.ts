@@ -1,6 +1,6 @@
 // The section of a question: a table of its systems, each of which can be opened.
 
-import { breakable, element } from "../../parts/dom";
+import { breakable, element, type Child } from "../../parts/dom";
 import { countOf } from "../../parts/numbers";
 import { claimsFigure } from "../tables/claims";
 import type { Question } from "./groups";
@@ -12,7 +12,6 @@ import { systemName } from "./words";
 
 export function questionSection(question: Question, data: ReportData): HTMLElement {
   const { id, name, systems } = question;
-  const claims = systems.flatMap(({ system }) => claimsOf(system, data));
   const folds = systems.map((one) => {
     const summary = element("summary", {}, breakable(systemName(one.system)));
     const parts = systemParts(one.system, data, true);
@@ -26,8 +25,16 @@ export function questionSection(question: Question, data: ReportData): HTMLEleme
   return element("section", { id, class: "question", "aria-labelledby": `${id}-title` }, [
     element("h2", { id: `${id}-title` }, [name]),
     element("p", { class: "muted lead" }, [`Question about ${countOf(systems.length, "system")}.`]),
-    systemsFigure(systems, data, `question-${name}`),
-    claims.length === 0 ? null : claimsFigure(claims, `question-${name}-claims`, true),
+    ...questionFigures(question, data),
     element("div", { class: "folds" }, folds),
   ]);
+}
+
+/** The tables of all systems of a question. */
+export function questionFigures({ name, systems }: Question, data: ReportData): Child[] {
+  const claims = systems.flatMap(({ system }) => claimsOf(system, data));
+  return [
+    systemsFigure(systems, data, `question-${name}`),
+    claims.length === 0 ? null : claimsFigure(claims, `question-${name}-claims`, true),
+  ];
 }

@@ -3,6 +3,10 @@
 import { choice } from "../../parts/controls";
 import { element, uniqueId } from "../../parts/dom";
 import { kSaving, saveFile } from "../../parts/save";
+import { asLatex } from "../paper/cited_text";
+import { methodsOf } from "../paper/methods";
+import { bibtex } from "../paper/references";
+import type { ReportData } from "./unpacked";
 
 const kWidths: [name: string, width: number | null][] = [
   ["as shown", null],
@@ -11,7 +15,7 @@ const kWidths: [name: string, width: number | null][] = [
   ["180 mm", 180],
 ];
 
-export function savingControls(version: string): HTMLElement {
+export function savingControls(data: ReportData): HTMLElement {
   const widths = choice("Width", kWidths.map(([name]) => name), 0, (index) => {
     kSaving.width = kWidths[index]?.[1] ?? null;
   });
@@ -21,28 +25,19 @@ export function savingControls(version: string): HTMLElement {
   caption.addEventListener("change", () => {
     kSaving.hasCaption = caption.checked;
   });
-  const cite = element("button", { type: "button", class: "quiet", onclick: () => saveBibtex(version) }, ["BibTeX"]);
+  const saver = (name: string, file: string, text: () => string) =>
+    element("button", { type: "button", class: "quiet", onclick: () => saveText(file, text()) }, [name]);
+  const cite = saver("BibTeX", "references.bib", () => bibtex(data));
+  const methods = saver("Methods", "methods.tex", () => asLatex(methodsOf(data)));
   return element("div", { class: "saving small" }, [
     element("p", { class: "list-title" }, ["Saved figures"]),
     widths.element,
     element("span", { class: "control" }, [caption, element("label", { for: id }, ["Title and caption"])]),
-    element("p", { class: "muted version" }, [`Somato ${version} `, cite]),
+    element("p", { class: "muted version" }, ["Save ", cite, methods]),
+    element("p", { class: "muted version" }, [`Somato ${data.somato}`]),
   ]);
 }
 
-function saveBibtex(version: string): void {
-  saveFile("somato.bib", new Blob([bibtex(version)], { type: "text/plain" }));
-}
-
-/** As CITATION.cff has it. */
-export function bibtex(version: string): string {
-  return [
-    "@software{somato,",
-    "  author = {{Somato contributors}},",
-    "  title = {Somato: a self-organizing sense of touch for robots},",
-    `  version = {${version}},`,
-    "  license = {Apache-2.0},",
-    "}",
-    "",
-  ].join("\n");
+function saveText(file: string, text: string): void {
+  saveFile(file, new Blob([text], { type: "text/plain" }));
 }

@@ -13,6 +13,12 @@ export function stateOf({ protocolIndex, labelIndex, runIndex, neuron, run, labe
   };
 }
 
+/** The names of what an address states and the selection does not have. */
+export function refused(selection: Selection, state: URLSearchParams): string[] {
+  const kept = { protocol: "1", label: selection.labels[0] ?? "", run: "1", ...stateOf(selection) };
+  return [...state].filter(([name, value]) => (kept as Record<string, string>)[name] !== value).map(([name]) => name);
+}
+
 /** Selects what an address states; anything that the system does not have is left out. */
 export function restored(selection: Selection, state: URLSearchParams): void {
   const { system } = selection;

@@ -6,6 +6,7 @@ import { figure, scrolled } from "../../parts/figure";
 import { countOf, percent, readable } from "../../parts/numbers";
 import type { ClaimReport, ReportData } from "../page/unpacked";
 import type { Placed } from "../page/same_names";
+import { printedClaims, spanOf } from "../paper/printed";
 import { kindOf, kVerdicts } from "../page/words";
 
 /** The claims, and how many of those of papers have each verdict. */
@@ -46,6 +47,7 @@ export function claimsFigure(claims: ClaimReport[], file: string, hasSystem: boo
     file,
     body: scrolled("Claims", table),
     numbers: () => claimsTable(claims),
+    printed: printedClaims(claims),
     note: "Here: median, minimum and maximum over the runs. By chance: the mean for wrong groupings, and how many of them meet the claim.",
     wide: true,
   });
@@ -120,25 +122,13 @@ function bound(claim: ClaimReport): string {
 }
 
 function hereWords(values: (number | null)[]): Child[] {
-  const sorted = values.filter((value) => value !== null).sort((one, other) => one - other);
-  if (sorted.length === 0) return ["–"];
-  const [low, high] = [sorted[0], sorted.at(-1)];
-  const middle = readable(median(sorted));
-  return low === high
-    ? [middle]
-    : [middle, element("span", { class: "range" }, [`${readable(low)} to ${readable(high)}`])];
+  const [middle, range] = spanOf(values);
+  return range === "" ? [middle] : [middle, element("span", { class: "range" }, [range])];
 }
 
 function chanceWords({ by_chance, chance_share }: ClaimReport): Child[] {
   if ((chance_share ?? null) === null) return [readable(by_chance)];
   return [readable(by_chance), element("span", { class: "range" }, [`met by ${percent(chance_share)}`])];
-}
-
-/** The median of sorted numbers. */
-export function median(sorted: readonly number[]): number | null {
-  if (sorted.length === 0) return null;
-  const half = (sorted.length - 1) / 2;
-  return ((sorted[Math.floor(half)] ?? 0) + (sorted[Math.ceil(half)] ?? 0)) / 2;
 }
 
 /** A bar with words, so that the verdict is not shown by colour only. */

@@ -6,6 +6,7 @@ import type { Shown } from "../../parts/figure";
 import { countOf } from "../../parts/numbers";
 import type { ClaimReport, MetricData, ProtocolData, SystemReport } from "../page/unpacked";
 import { classesOf } from "./labels";
+import { printedOutcomes } from "../paper/printed";
 import { liveFigure, nothing, type Drawn } from "../maps/live_figure";
 import { nameOf, shownOf } from "../page/origin";
 import type { Selection } from "../page/selection";
@@ -23,8 +24,9 @@ export function outcomesFigure(selection: Selection, claims: ClaimReport[]): HTM
       : "",
     wide: true,
     about: () => shown(selection),
+    printed: printedOutcomes(selection, () => stripsOfSelection(selection, claims)),
   };
-  return liveFigure(options, selection, () => draw(system, selection, claims));
+  return liveFigure(options, selection, () => draw(selection, claims));
 }
 
 function shown(selection: Selection): Shown {
@@ -35,10 +37,10 @@ function shown(selection: Selection): Shown {
   return shownOf(system, words, nameOf(selection, [label]));
 }
 
-function draw(system: SystemReport, selection: Selection, claims: ClaimReport[]): Drawn {
+function draw(selection: Selection, claims: ClaimReport[]): Drawn {
   const { protocol, label } = selection;
   if (!protocol) return nothing("There are no protocols.");
-  const strips = stripsOf(system, protocol, label, claims);
+  const strips = stripsOfSelection(selection, claims);
   if (strips.length === 0) return nothing(`There are no metrics for the label ${label} under this protocol.`);
   const { words } = shown(selection);
   const picture = stripsPicture(strips, `Outcomes: ${words}`);
@@ -51,6 +53,10 @@ function draw(system: SystemReport, selection: Selection, claims: ClaimReport[])
 }
 
 const kBeside = /^baseline_|_chance$/;
+
+function stripsOfSelection({ system, protocol, label }: Selection, claims: ClaimReport[]): Strip[] {
+  return protocol ? stripsOf(system, protocol, label, claims) : [];
+}
 
 function stripsOf(
   system: SystemReport,

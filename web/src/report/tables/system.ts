@@ -6,13 +6,13 @@ import { gridWords } from "../../parts/maps/grid";
 import { countOf } from "../../parts/numbers";
 import { registerSection, showInAddress } from "../page/address";
 import { confusionFigures } from "../maps/confusions";
-import { connectivityFigures } from "../maps/connectivity";
+import { allConnectivityFigures, connectivityFigures } from "../maps/connectivity";
 import { graphFigure } from "../maps/graph";
 import type { Group } from "../page/groups";
 import { drawInside, lazy } from "../page/lazy";
 import { momentFigures } from "../moments/moments";
 import { outcomesFigure } from "./outcomes";
-import { planeFigures } from "../maps/planes";
+import { allPlaneFigures, planeFigures } from "../maps/planes";
 import { Samples } from "../moments/samples";
 import { Selection } from "../page/selection";
 import { restored, stateOf } from "../page/selection_state";
@@ -111,7 +111,7 @@ function bodyParts(selection: Selection, data: ReportData, isFolded: boolean, fi
     drawInside(shownReadings);
     shownReadings.scrollIntoView({ block: "start" });
   };
-  const others = otherParts(selection, data);
+  const others = [...weightParts(selection), ...otherParts(selection, data)];
   const hasProtocols = system.protocols.length > 0;
   return [
     ...missingList(system),
@@ -132,24 +132,45 @@ function maps(selection: Selection, samples: HTMLElement): HTMLElement {
   ]);
 }
 
+function part(title: string, height: number, isThere: boolean, make: () => Child[]): Part[] {
+  return isThere ? [{ title, height, make }] : [];
+}
+
+function weightParts(selection: Selection): Part[] {
+  const { trained, grid } = selection.system;
+  const hasPlanes = grid !== null && (trained?.planes.length ?? 0) > 0;
+  const hasFields = (trained?.receptive_fields.length ?? 0) > 0;
+  return [
+    ...part("Weights of the neurons", 560, hasPlanes, () => planeFigures(selection)),
+    ...part("Connectivity", 480, hasFields, () => connectivityFigures(selection.system)),
+  ];
+}
+
 function otherParts(selection: Selection, data: ReportData): Part[] {
   const { system } = selection;
-  const { trained, protocols, graph, grid, things, not_given } = system;
+  const { protocols, graph, things, not_given } = system;
   const claims = claimsOf(system, data);
   const hasProtocols = protocols.length > 0;
   const runs = Math.max(0, ...protocols.map((protocol) => protocol.runs.length));
-  const hasPlanes = grid !== null && (trained?.planes.length ?? 0) > 0;
-  const hasFields = (trained?.receptive_fields.length ?? 0) > 0;
-  const part = (title: string, height: number, isThere: boolean, make: () => Child[]): Part[] =>
-    isThere ? [{ title, height, make }] : [];
   return [
-    ...part("Weights of the neurons", 560, hasPlanes, () => planeFigures(selection)),
-    ...part("Connectivity", 480, hasFields, () => connectivityFigures(system)),
     ...part(runs > 1 ? "Metrics over the runs" : "Metrics", 420, hasProtocols, () => [outcomesFigure(selection, claims)]),
     ...part("Confusion matrix", 420, hasProtocols, () => [element("div", { class: "figures" }, confusionFigures(selection))]),
     ...part("Graph of the modules", 260, graph !== null, () => [graphFigure(system)]),
     ...part("Objects and materials", 240, things.length > 0, () => [thingsFigure(system)]),
     ...part("Settings not given in the papers", 160, not_given.length > 0, () => [notGivenFigure(system)]),
+  ];
+}
+
+/** All figures of a system, those of every channel and connection included. */
+export function systemFigures(selection: Selection, data: ReportData): Child[] {
+  const { system } = selection;
+  const samples = new Samples(system);
+  return [
+    ...(system.protocols.length > 0 ? mapFigures(selection) : []),
+    ...(samples.names.length > 0 ? momentFigures(system, samples) : []),
+    ...allPlaneFigures(selection),
+    ...allConnectivityFigures(system),
+    ...otherParts(selection, data).flatMap((part) => part.make()),
   ];
 }
 

@@ -8,7 +8,8 @@ import { hundredths } from "../../parts/numbers";
 import { isOfPaper } from "./claims";
 import type { Numbered } from "../page/groups";
 import { mainResults, type Result } from "./main_results";
-import type { ClaimReport, MetricData, ReportData, SystemReport } from "../page/unpacked";
+import { printedSystems, spread } from "../paper/printed";
+import type { ClaimReport, ReportData, SystemReport } from "../page/unpacked";
 import { protocolName, systemName } from "../page/words";
 
 const kColumns = ["system", "runs", "training samples", "samples left out", "things left out", "claims that hold"];
@@ -27,6 +28,7 @@ export function systemsFigure(systems: Numbered[], data: ReportData, file: strin
     file,
     body: scrolled("Systems", table),
     numbers: () => systemsTable(systems, data),
+    printed: printedSystems(systems.map(({ system }) => system)),
     wide: true,
     note: "Accuracy: mean and standard deviation over the runs; below it that of the nearest neighbour. Of several held-out protocols and labels the one with the lowest accuracy. Things left out are objects or materials that the training did not contain; another label of them is predicted.",
   });
@@ -73,13 +75,6 @@ function claimsWords(claims: ClaimReport[]): string {
 
 function holding(claims: ClaimReport[]): number {
   return claims.filter((claim) => claim.verdict === "holds").length;
-}
-
-/** "0.85 ± 0.07"; a single run has no spread. */
-function spread(metric: MetricData | undefined): string {
-  if (!metric) return "–";
-  const mean = hundredths(metric.mean);
-  return metric.values?.length === 1 ? mean : `${mean} ± ${hundredths(metric.sd)}`;
 }
 
 function systemsTable(systems: Numbered[], data: ReportData): Table {

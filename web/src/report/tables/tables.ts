@@ -4,15 +4,18 @@ import { element, type Child } from "../../parts/dom";
 import { figure, scrolled } from "../../parts/figure";
 import type { SystemReport } from "../page/unpacked";
 import { systemName } from "../page/words";
+import { printedSettings } from "../paper/printed";
 
 export function notGivenFigure(system: SystemReport): Child {
   const rows = system.not_given.map((one) => [one.part, one.name, one.value, withoutRemark(one.text)]);
+  const note = "The papers do not specify these settings. Their values are assumptions.";
   return figure({
     title: "Values of these settings",
     file: `${systemName(system)}-not-given`,
     body: plainTable("Not given", ["module", "setting", "value", "meaning"], rows, 3),
     numbers: () => ({ columns: ["part", "setting", "value", "text"], rows }),
-    note: "The papers do not specify these settings. Their values are assumptions.",
+    printed: printedSettings(rows, note),
+    note,
     wide: true,
   });
 }

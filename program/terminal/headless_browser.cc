@@ -1,15 +1,15 @@
-#include "view/headless_browser.h"
+#include "terminal/headless_browser.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
 #include <chrono>
-#include <cstdint>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <utility>
 #include <vector>
+
+#include "terminal/base64.h"
 
 namespace somato::program {
 namespace {
@@ -36,31 +36,8 @@ Result<ChildProcess> start(const ScratchFolder& profile) {
     words.front() = name;
     if (auto process = ChildProcess::start(words, {3, 4})) return process;
   }
-  return fail(ErrorKind::kSystem, "pictures of the view require the browser Chromium", "chromium",
-              "install it, on Debian with: sudo apt-get install chromium");
-}
-
-std::uint32_t base64_value(char c) {
-  if (c >= 'A' && c <= 'Z') return static_cast<std::uint32_t>(c - 'A');
-  if (c >= 'a' && c <= 'z') return static_cast<std::uint32_t>(c - 'a') + 26;
-  if (c >= '0' && c <= '9') return static_cast<std::uint32_t>(c - '0') + 52;
-  return c == '+' ? 62 : 63;
-}
-
-std::string from_base64(std::string_view text) {
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    bits = bits << 6 | base64_value(c);
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes.push_back(static_cast<char>(bits >> count & 0xFFU));
-  }
-  return bytes;
+  return fail(ErrorKind::kSystem, "pictures without a window require the browser Chromium",
+              "chromium", "install it, on Debian with: sudo apt-get install chromium");
 }
 
 }  // namespace
@@ -77,8 +54,13 @@ Result<HeadlessBrowser> HeadlessBrowser::open(const std::string& address, std::s
   // Nothing moves between the moments.
   const SortedJson still{{"name", "prefers-reduced-motion"}, {"value", "reduce"}};
   SOMATO_TRY_VOID(browser.call("Emulation.setEmulatedMedia", {{"features", {still}}}));
-  SOMATO_TRY_VOID(browser.call("Page.navigate", {{"url", address}}));
+  SOMATO_TRY_VOID(browser.go_to(address));
   return browser;
+}
+
+Result<void> HeadlessBrowser::go_to(const std::string& address) {
+  SOMATO_TRY_VOID(call("Page.navigate", {{"url", address}}));
+  return {};
 }
 
 Result<void> HeadlessBrowser::attach() {
@@ -95,11 +77,33 @@ Result<void> HeadlessBrowser::wait_until(const std::string& condition) {
       "requestAnimationFrame(() => drawn(n - 1)); const look = () => ({}) ? drawn(4) : "
       "setTimeout(look, 5); look(); }})",
       condition);
-  return call("Runtime.evaluate", {{"expression", expression}, {"awaitPromise", true}})
-      .and_then([](const SortedJson& answer) -> Result<void> {
-        if (!answer.contains("exceptionDetails")) return {};
+  SOMATO_TRY_VOID(value_of(expression));
+  return {};
+}
+
+Result<SortedJson> HeadlessBrowser::value_of(const std::string& expression) {
+  return call("Runtime.evaluate",
+              {{"expression", expression}, {"awaitPromise", true}, {"returnByValue", true}})
+      .and_then([](const SortedJson& answer) -> Result<SortedJson> {
+        if (!answer.contains("exceptionDetails")) {
+          return answer["result"].value("value", SortedJson());
+        }
         return fail(ErrorKind::kSystem, "the page failed: " + answer["exceptionDetails"].dump(),
                     "chromium");
+      });
+}
+
+Result<std::string> HeadlessBrowser::printed(double width, double height) {
+  constexpr double kInch = 25.4;  // mm
+  return call("Page.printToPDF", {{"paperWidth", width / kInch},
+                                  {"paperHeight", height / kInch},
+                                  {"marginTop", 0},
+                                  {"marginBottom", 0},
+                                  {"marginLeft", 0},
+                                  {"marginRight", 0},
+                                  {"printBackground", true}})
+      .map([](const SortedJson& answer) {
+        return from_base64(answer["data"].get_ref<const std::string&>());
       });
 }
 

@@ -19,9 +19,20 @@ class HeadlessBrowser {
   static Result<HeadlessBrowser> open(const std::string& address, std::size_t width,
                                       std::size_t height);
 
+  /// Opens another page in its place; what the first one had is gone. Errors: kSystem.
+  Result<void> go_to(const std::string& address);
+
   /// Waits until `condition`, an expression in JavaScript, is true, and what it depends on is
   /// drawn. Errors: kSystem if this takes longer than a minute.
   Result<void> wait_until(const std::string& condition);
+
+  /// The value of an expression in JavaScript, or of its promise. Errors: kSystem, also if it
+  /// throws.
+  Result<nlohmann::json> value_of(const std::string& expression);
+
+  /// The bytes of a PDF file of the page on paper of this size in mm, without margins. Errors:
+  /// kSystem.
+  Result<std::string> printed(double width, double height);
 
   /// The bytes of a PNG file of the page. Errors: kSystem.
   Result<std::string> picture();
