@@ -156,7 +156,7 @@ class MapData:
     def _check(self, panel, where):
         if panel not in PANELS:
             columns = self.map.features if where.endswith(".plot") else []
-            near = difflib.get_close_matches(panel, [*PANELS, *columns], n=1)
+            near = difflib.get_close_matches(str(panel), [*PANELS, *columns], n=1)
             advice = f"panels are: {', '.join(PANELS)}" + (", and the names of columns" if columns else "")
             raise UsageError(f"there is no panel '{panel}'", where,
                              f"did you mean '{near[0]}'? {advice}" if near else advice)

@@ -117,7 +117,7 @@ TEST_F(TerminalStudy, AnotherStudyDoesNotGoOnWithIt) {
   interrupted(words);
   write_study("100000", "401");
   expect_refused(2, words,
-                 {"out/unfinished.journal: ", "other settings or data", "use another --out"});
+                 {"out/unfinished.journal: ", "other settings or data", "use another folder (--out)"});
   std::string damaged = read("out/unfinished.journal");
   damaged[20] ^= 1;  // of the line that identifies the file
   write("out/unfinished.journal", damaged);
