@@ -30,7 +30,7 @@ class Drawing:
             UsageError: The name of the file has the extension of another format.
             OperatingSystemError: The file cannot be written.
         """
-        _write(path, self.svg, ".svg")
+        write_text(path, self.svg, ".svg")
 
     def _repr_svg_(self):
         return self.svg
@@ -58,7 +58,7 @@ class Page:
             UsageError: The name of the file has the extension of another format.
             OperatingSystemError: The file cannot be written.
         """
-        _write(path, self.html, ".html")
+        write_text(path, self.html, ".html")
 
     def _repr_html_(self):
         return (f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="{self.height}" '
@@ -231,7 +231,7 @@ def _count(number, where):
     raise UsageError(f"{number!r} is not a number of component planes", where, "use at least 1")
 
 
-def _write(path, text, ending):
+def write_text(path, text, ending):
     path = Path(os.fspath(path))
     if path.suffix.lower() not in (ending, ""):
         raise UsageError(f"the content is {ending[1:].upper()}, not {path.suffix[1:]}", str(path),

@@ -89,6 +89,8 @@ def test_of_studies_and_simulations(files):
     for settings in ({"protocols": ["test_data"]}, {"protocols": ["x"]}, {"seeds": None}, {"seeds": 0},
                      {"label": "x"}, {"unknown": 1}, {"folds": True}, {"sedes": 1}, {"missing": "mean"}):
         assert refusal(lambda: pysomato.study(recording, "icub_joints", **settings)), settings
+    for settings in ({"seed": None}, {"label": 1}, {"budget": 0}, {"x": 1}):
+        assert refusal(lambda: pysomato.suggest(recording, **settings)), settings
     for body, simulation in (("x", {}), ("lucs3", {"rate": None}), ("lucs3", {"x": 1}), ("texture", {"taxels": 2})):
         assert refusal(lambda: pysomato.explore(body, explorations=1, **simulation)), (body, simulation)
 
