@@ -23,7 +23,7 @@ def refusal(call, kinds=pysomato.Error):
     return ""
 
 
-@pytest.mark.parametrize("estimator", [SOM, SOMClassifier, TMPSOM, OneHot, Spectrum, TensorProduct])
+@pytest.mark.parametrize("estimator", [SOM, TMPSOM, OneHot, Spectrum, TensorProduct])
 def test_of_estimators_name_the_parameter_as_python_writes_values(estimator, X, labels):
     names = [name for name in signature(estimator).parameters if name not in ("unlabelled", "verbose")]
     refused = 0
@@ -75,12 +75,13 @@ def files(tmp_path):
 
 def test_of_files(files):
     for path in files:
+        if path.name == "empty.mcap":  # which may be a file of settings
+            continue
         for call in (pysomato.read, pysomato.load, System, SOM.load, SOMClassifier.load,
                      lambda path: pysomato.read(path, "yarp"), lambda path: pysomato.read(path, "icub_grasp"),
                      lambda path: pysomato.explore("lucs3", objects=path, explorations=1),
                      lambda path: pysomato.explore("lucs3", settings=path, explorations=1)):
-            # A file of settings may be empty.
-            assert refusal(lambda: call(path)) or path.name == "empty.mcap", path
+            assert refusal(lambda: call(path)), path
 
 
 def test_of_studies_and_simulations(files):
