@@ -78,9 +78,9 @@ TEST_F(Import, ReadsTimesOfClocks) {
   output_of(with({"--time", "Date,Time", "--time-unit", "iso"}));
   EXPECT_NE(output_of({"inspect", "out.mcap"}).find("1.5"), std::string::npos);
   expect_refused(2, with({"--time", "Date,Time"}), {"'time' has two columns", "--time-unit iso"});
-  expect_refused(1, with({"--time", "Time", "--ignore", "Date"}),
-                 {"times.csv:2:12: '10:30:25.000' in column 'Time' is not a time in s",
-                  "(--time-unit iso)"});
+  expect_refused(
+      1, with({"--time", "Time", "--ignore", "Date"}),
+      {"times.csv:2:12: '10:30:25.000' in column 'Time' is not a time in s", "(--time-unit iso)"});
 }
 
 TEST_F(Import, ReadsTablesOfSpreadsheets) {
