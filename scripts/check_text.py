@@ -29,6 +29,10 @@ LINK = re.compile(r"\]\((?!\w+:)([^)#\s]+)")
 CODE_BLOCK = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 PRINTS = re.compile(r"\bstd::(?:cout|cerr|clog|printf|puts|fprintf|fputs)\b|\bfmt::print\b")
 
+# In what users of the library and of the Python package read, too: they have no flags.
+FLAGS = re.compile(r'"(?:\\.|[^"\\])*(?<![\w-])--[a-z][\w-]*')
+WITHOUT_FLAGS = re.compile(r"src/(?:base|maps|recordings/(?!bags/)|bodies|systems|studies)/")
+
 # Exceptions, each with its reason.
 MAY_PRINT = {"src/base/core/check.cc": "a violated invariant ends the program with a message"}
 MAY_ROUND = {
@@ -62,6 +66,8 @@ def problems_of_line(name, line):
         yield f"'{found[0].strip('( ')}' differs between machines; see STYLE.md"
     if in_library and name not in MAY_PRINT and (found := PRINTS.search(code)):
         yield f"'{found[0]}': the library never prints"
+    if is_cpp and WITHOUT_FLAGS.match(name) and FLAGS.search(line.split("//")[0]):
+        yield "a message names a flag of the program; use flag_hint()"
     if name.endswith((".txt", ".cmake", ".json", ".in")) and (found := BANNED_FLAGS.search(line)):
         yield f"'{found[0]}' changes bits"
     if name.endswith(COMMENTED) and (found := FRAGMENT.search(line)):

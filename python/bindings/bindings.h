@@ -12,6 +12,7 @@ void bind_pictures(nanobind::module_& module);
 void bind_rounding(nanobind::module_& module);
 void bind_recording(nanobind::module_& module);
 void bind_study(nanobind::module_& module);
+void bind_suggestion(nanobind::module_& module);
 void bind_system(nanobind::module_& module);
 void bind_t_mpsom(nanobind::module_& module);
 

@@ -33,7 +33,7 @@ ExploringParameters parameters_of(ExploringBody body, const std::optional<std::s
   }
   const Table given = table_of(simulation, "explore");
   value_or_throw(check_effect(body, given));
-  parameters.simulation = value_or_throw(read_parameters(given, std::move(parameters.simulation)));
+  parameters.simulation = read_or_throw(read_parameters(given, std::move(parameters.simulation)));
   return parameters;
 }
 

@@ -69,9 +69,10 @@ void for_each_part(const SomModel& model, const SampleRows& rows, Interrupts& in
   }
 }
 
-// Computes without the lock of the interpreter. Throws the exception of a signal's handler.
-void unlocked(const std::function<void(Interrupts&)>& work) {
-  Interrupts interrupts;
+// Computes without the lock of the interpreter. Throws the exception of a signal's handler, or of
+// `progress`.
+void unlocked(const std::function<void(Interrupts&)>& work, nb::object progress = nb::none()) {
+  Interrupts interrupts(std::move(progress));
   {
     const nb::gil_scoped_release released;
     work(interrupts);
@@ -93,15 +94,18 @@ const SomModel& Map::taking(const SampleRows& rows) const {
   return rows.is_moved() && moved_ ? *moved_ : model_;
 }
 
-Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threads) {
+Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threads,
+               nb::object progress) {
   const SomParameters parameters = checked_parameters(values);
   Som som;
-  unlocked([&](Interrupts& interrupts) {
-    const Samples samples = rows.all();
-    auto trained = train_som(parameters, samples, {threads, interrupts.progress()});
-    if (!trained && trained.error().kind == ErrorKind::kInterrupted) return;
-    som = apart_from_samples(value_or_throw(std::move(trained)));
-  });
+  unlocked(
+      [&](Interrupts& interrupts) {
+        const Samples samples = rows.all();
+        auto trained = train_som(parameters, samples, {threads, interrupts.progress()});
+        if (!trained && trained.error().kind == ErrorKind::kInterrupted) return;
+        som = apart_from_samples(value_or_throw(std::move(trained)));
+      },
+      std::move(progress));
   return Map(SomModel{std::move(som), {}, {}, {}, {}, rows.means()});
 }
 
@@ -287,7 +291,8 @@ void bind_map(nb::module_& module) {
       "The parameters of a SOM: name, type, unit, text, range, choices and default.");
   module.def("available_threads", &available_threads, "Threads that the machine runs at once.");
   nb::class_<Map>(module, "Map", "A trained map, as model files contain it.")
-      .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows"), nb::arg("threads"))
+      .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows"), nb::arg("threads"),
+                  nb::arg("progress").none() = nb::none())
       .def_static("initial", &Map::initial, nb::arg("parameters"), nb::arg("rows"))
       .def("learned", &Map::learned, nb::arg("rows"), nb::arg("threads"))
       .def("labelled", &Map::labelled, nb::arg("names"), nb::arg("winners").noconvert(),

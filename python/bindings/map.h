@@ -21,8 +21,10 @@ class Map {
   explicit Map(SomModel model);
 
   /// Trains a map. `parameters` may contain all parameters of a SOM; throws Failure as train_som()
-  /// and for a parameter that differs from its default without an effect.
-  static Map train(const nanobind::dict& parameters, const SampleRows& rows, std::size_t threads);
+  /// and for a parameter that differs from its default without an effect. `progress` is as for
+  /// Interrupts.
+  static Map train(const nanobind::dict& parameters, const SampleRows& rows, std::size_t threads,
+                   nanobind::object progress);
 
   /// The initial map for rows.
   static Map initial(const nanobind::dict& parameters, const SampleRows& rows);

@@ -13,5 +13,6 @@ NB_MODULE(_somato, module) {
   somato::python::bind_rounding(module);
   somato::python::bind_system(module);
   somato::python::bind_study(module);
+  somato::python::bind_suggestion(module);
   somato::python::bind_t_mpsom(module);
 }

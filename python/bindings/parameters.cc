@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -23,6 +25,16 @@ Failure unusable(const nb::handle& value, const std::string& where) {
 
 Value list_of(const nb::handle& values, const std::string& where);
 
+// One that no parameter can have is inexact, so that it is refused by its range.
+Value whole_number(const nb::object& number) {
+  std::int64_t whole = 0;
+  if (nb::try_cast(number, whole)) return {whole};
+  const double real = PyLong_AsDouble(number.ptr());
+  const bool is_larger = PyErr_Occurred() != nullptr;  // than every floating-point number
+  PyErr_Clear();
+  return {is_larger ? std::numeric_limits<double>::infinity() : real};
+}
+
 // Numbers of numpy are numbers too.
 Value value_of(const nb::handle& value, const std::string& where) {
   if (value.is_none()) return {std::string("automatic")};
@@ -31,9 +43,7 @@ Value value_of(const nb::handle& value, const std::string& where) {
   if (nb::isinstance<nb::list>(value) || nb::isinstance<nb::tuple>(value)) {
     return list_of(value, where);
   }
-  if (PyIndex_Check(value.ptr()) != 0) {
-    return {nb::cast<std::int64_t>(nb::steal(PyNumber_Index(value.ptr())))};
-  }
+  if (PyIndex_Check(value.ptr()) != 0) return whole_number(nb::steal(PyNumber_Index(value.ptr())));
   if (nb::hasattr(value, "__float__")) {
     return {nb::cast<double>(nb::steal(PyNumber_Float(value.ptr())))};
   }
@@ -46,7 +56,28 @@ Value list_of(const nb::handle& values, const std::string& where) {
   return {std::move(list)};
 }
 
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at)) {
+    text.replace(at, what.size(), by);
+    at += by.size();
+  }
+}
+
+// A value at the end of a message that was refused.
+void replace_end(std::string& text, std::string_view end, std::string_view by) {
+  if (text.ends_with(end)) text.replace(text.size() - end.size(), end.size(), by);
+}
+
 }  // namespace
+
+Error in_python(Error error) {
+  replace_all(error.what, "\"automatic\"", "None");
+  replace_all(error.advice, "\"automatic\"", "None");
+  replace_all(error.what, "true or false", "True or False");
+  replace_end(error.what, ", not true", ", not True");
+  replace_end(error.what, ", not false", ", not False");
+  return error;
+}
 
 Table table_of(const nb::dict& values, const std::string& where) {
   Table table{where, {}};

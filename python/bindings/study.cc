@@ -61,7 +61,7 @@ StudyDescription with_settings(StudyDescription description, const nb::dict& set
       throw Failure{
           unknown_name("parameter", entry.name, "study", StudyParameters::declarations().names())};
     }
-    value_or_throw(parameter->assign(description.study, std::get<Value>(entry.content)));
+    read_or_throw(parameter->assign(description.study, std::get<Value>(entry.content)));
     given.push_back(entry.name);
   }
   reset_unread(description.study, given);

@@ -49,12 +49,15 @@ class Live {
 
   std::size_t winner() { return value_or_throw(live_.winner()); }
 
-  // The label of the winner, if it has one.
+  // The label of the most similar neuron that has one.
   std::optional<std::string> label() {
     const std::optional<SystemAnswer>& answer = trained_.model->answer;
-    if (!answer) return {};
-    const auto named = answer->labels[winner()];
-    return named ? std::optional(answer->classes[*named]) : std::nullopt;
+    if (!answer || answer->labels.labelled().empty()) return {};
+    auto named = answer->labels[winner()];
+    if (!named) {
+      named = answer->labels[value_or_throw(live_.winner_among(answer->labels.labelled()))];
+    }
+    return answer->classes[*named];
   }
 
  private:

@@ -68,28 +68,31 @@ void check_columns(const TMpsom& map, const Rows& rows) {
 // to before `last`.
 template <typename Next>
 TMpsom learned(const TMpsom& map, const Rows& rows, std::uint64_t first, std::uint64_t last,
-               const Next& next) {
+               const Next& next, nb::object progress = nb::none()) {
   check_columns(map, rows);
   TMpsom changed = map;
-  Interrupts interrupts;
+  Interrupts interrupts(std::move(progress));
   {
     const nb::gil_scoped_release released;
     const Schedule rate = changed.parameters().learning_rate();
     RowInputs inputs(map.parameters(), rows);
     TMpsomLearner learner(changed);
-    for (std::uint64_t t = first; t < last && interrupts.proceed(); ++t) {
+    const Progress report = interrupts.progress();
+    for (std::uint64_t t = first; t < last && report(t - first, last - first); ++t) {
       learner.learn(inputs.at(next(t)), rate.at(t));
     }
+    report(last - first, last - first);
   }
   interrupts.throw_raised();
   return changed;
 }
 
-TMpsom train(const nb::dict& values, const Rows& rows) {
+TMpsom train(const nb::dict& values, const Rows& rows, nb::object progress) {
   const TMpsom map = initial(values);
   DrawSequence draws(Draws::kWithReplacement, rows.shape(0), map.parameters().seed);
-  return learned(map, rows, 0, map.parameters().iterations,
-                 [&](std::uint64_t /*iteration*/) { return draws.next(); });
+  return learned(
+      map, rows, 0, map.parameters().iterations,
+      [&](std::uint64_t /*iteration*/) { return draws.next(); }, std::move(progress));
 }
 
 TMpsom learn_in_order(const TMpsom& map, const Rows& rows, std::uint64_t done) {
@@ -138,7 +141,8 @@ void bind_t_mpsom(nb::module_& module) {
   module.def("t_mpsom_parameters",
              [] { return descriptions_of(TMpsomParameters::declarations().infos()); });
   nb::class_<TMpsom>(module, "TMpsom", "A T-MPSOM, immutable.")
-      .def_static("train", &train, nb::arg("parameters"), nb::arg("rows").noconvert())
+      .def_static("train", &train, nb::arg("parameters"), nb::arg("rows").noconvert(),
+                  nb::arg("progress").none() = nb::none())
       .def_static("initial", &initial, nb::arg("parameters"))
       .def("learned", &learn_in_order, nb::arg("rows").noconvert(), nb::arg("done"))
       .def("activity", &activity, nb::arg("rows").noconvert())

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from .som import *
     from .som_classifier import *
     from .studies import *
+    from .suggestions import *
     from .sweeps import *
     from .t_mpsom import *
 
@@ -29,6 +30,7 @@ _NAMES_OF = {
     "som": ["SOM"],
     "som_classifier": ["SOMClassifier"],
     "studies": ["Live", "Study", "System", "TrainedSystem", "load", "study", "systems"],
+    "suggestions": ["Suggestion", "suggest"],
     "sweeps": ["Sweep", "sweep"],
     "t_mpsom": ["TMPSOM"],
 }

@@ -1,5 +1,6 @@
 """The program ``somato`` that the package contains."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -22,5 +23,10 @@ def run_program(*words, folder=None) -> None:
                           stderr=subprocess.PIPE, text=True)
     if done.returncode == 0:
         return
-    message = done.stderr.strip().removeprefix("somato: ")
+    message = _with_arguments(done.stderr.strip().removeprefix("somato: "))
     raise (UsageError if done.returncode == _USAGE else Error)(message, f"somato {words[0]}")
+
+
+def _with_arguments(message):
+    """A message of the program with the names of arguments instead of its flags, which differ in hyphens."""
+    return re.sub(r"(?<![\w-])--([a-z][a-z-]*)", lambda flag: flag[1].replace("-", "_"), message)

@@ -38,6 +38,24 @@ def columns_of(X):
     return None if names is None else list(names)
 
 
+def selected(X, names, where):
+    """The columns of a table that have these names, in this order.
+
+    Raises:
+        DataError: A column is missing, or several have its name.
+    """
+    there = columns_of(X)
+    missing = [name for name in names if name not in there]
+    if missing:
+        raise DataError(f"the table lacks columns of fit: {', '.join(map(repr, missing))}", where,
+                        "pass a table with all columns of fit; their order does not matter")
+    twice = [name for name in names if there.count(name) > 1]
+    if twice:
+        raise DataError(f"the table has several columns with the name {twice[0]!r}", where,
+                        "rename or remove all but one")
+    return X.select(names) if hasattr(X, "select") else X[names]
+
+
 def readings_of(X, where):
     """X as an array of float32 or float64 without a loss, as a sparse matrix, or as it is if
     scikit-learn describes better what is wrong with it.

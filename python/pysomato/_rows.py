@@ -12,7 +12,8 @@ from sklearn.utils import check_array
 from sklearn.utils.validation import check_is_fitted, validate_data
 
 from . import _somato
-from ._readings import columns_of, is_frame, readings_of
+from ._numbers import one_of
+from ._readings import columns_of, is_frame, readings_of, selected
 from .errors import ConversionWarning, DataError, NotFittedError, errors_of_sklearn
 
 # Bytes of converted rows from which on the conversion is reported: smaller ones cost next to nothing.
@@ -53,9 +54,13 @@ def rows_of(estimator, X, *, reset, further=False, least=1):
     return rows
 
 
-def sample_rows_of(estimator, X, *, reset, further=False, least=1, missing="refuse"):
+def sample_rows_of(estimator, X, *, reset, further=False, least=1, missing="refuse",
+                   extra_columns="refuse"):
     """X for a map of the library: as for rows_of, or sparse in any format of scipy; missing values
-    are kept as NaN unless they are refused."""
+    are kept as NaN unless they are refused. With extra_columns="ignore", the columns of fit are selected
+    by their names."""
+    one_of(missing, ("refuse", "mean", "nearest"), f"{type(estimator).__name__}(missing)")
+    X = _known_columns(estimator, X, reset, extra_columns)
     trained = None if reset else estimator.map_
     rows, moved = _rounded(estimator, X, reset, further, least, missing,
                            lambda: (([], []) if trained is None
@@ -64,6 +69,15 @@ def sample_rows_of(estimator, X, *, reset, further=False, least=1, missing="refu
     if issparse(rows):
         return _sparse(rows)
     return _somato.SampleRows(rows, missing, moved)
+
+
+def _known_columns(estimator, X, reset, extra_columns):
+    """X, or the columns of a table that an estimator knows by their names."""
+    one_of(extra_columns, ("refuse", "ignore"), f"{type(estimator).__name__}(extra_columns)")
+    known = getattr(estimator, "feature_names_in_", None)
+    if reset or extra_columns == "refuse" or known is None or not is_frame(X):
+        return X
+    return selected(X, list(known), _WHERE)
 
 
 def _rounded(estimator, X, reset, further, least, missing, scales, **options):

@@ -5,6 +5,7 @@ from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, Transfo
 
 from . import _somato
 from ._channels import frames_of
+from ._numbers import at_least_one, number
 from ._rows import check_fitted, rows_of
 from .errors import DataError, UsageError
 
@@ -80,11 +81,16 @@ class OneHot(_Code):
     def _ends(self, name, given, found):
         if given is None:
             return found.astype(np.float64)
-        ends = np.asarray(given, np.float64).ravel()
+        ends = self._numbers(given, f"OneHot({name})")
         if len(ends) not in (1, len(found)):
             raise UsageError(f"there are {len(ends)} numbers for {len(found)} columns", f"OneHot({name})",
                              "use one number for all columns, or one for each")
         return np.broadcast_to(ends, found.shape).copy()
+
+    @staticmethod
+    def _numbers(given, where):
+        items = np.asarray(given, object).ravel()
+        return np.array([number(item, where) for item in items], np.float64)
 
     def _code(self, X):
         columns = [{"low": low, "high": high, "elements": self.elements, "outside": self.outside}
@@ -137,10 +143,10 @@ class Spectrum(_Code):
             float32 of (elements, bands), or with ``bands=0`` of (elements, bins).
         """
         frames = frames_of(frames, "Spectrum.of(frames)")
-        return _somato.spectrum_of(self._parameters(), frames, float(rate or self.rate or 0.0))
+        return _somato.spectrum_of(self._parameters(), frames, number(rate or self.rate or 0.0, "Spectrum(rate)"))
 
     def _code(self, X):
-        return _somato.spectra(self._parameters(), X, float(self.rate or 0.0))
+        return _somato.spectra(self._parameters(), X, number(self.rate or 0.0, "Spectrum(rate)"))
 
     def _parameters(self):
         values = self.get_params(deep=False)
@@ -162,11 +168,15 @@ class TensorProduct(_Code):
         self.input_sizes = input_sizes
 
     def _learn(self, X):
-        sizes = [X.shape[1]] if self.input_sizes is None else list(self.input_sizes)
-        if sum(sizes) != X.shape[1] or min(sizes, default=0) < 1:
+        sizes = [X.shape[1]] if self.input_sizes is None else self._sizes()
+        if sum(sizes) != X.shape[1]:
             raise UsageError(f"the sizes are {sizes}, but the data have {X.shape[1]} columns",
                              "TensorProduct(input_sizes)", "use sizes above 0 that add up to it")
         self.input_sizes_ = sizes
+
+    def _sizes(self):
+        sizes = np.atleast_1d(np.asarray(self.input_sizes, object)).tolist()
+        return [at_least_one(size, "TensorProduct(input_sizes)") for size in sizes]
 
     def _code(self, X):
         return _somato.tensor_products(self.input_sizes_, X)

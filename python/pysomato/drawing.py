@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from . import _somato
+from ._browser_pictures import converted
 from .errors import OperatingSystemError, UsageError
 
 PANELS = ("u_matrix", "hits", "labels", "components")
@@ -24,13 +25,19 @@ class Drawing:
         self.svg = svg
 
     def save(self, path) -> None:
-        """Writes the picture to a file.
+        """Writes the picture to a file: SVG, or with the extension .pdf or .png in this format.
+
+        PDF and PNG, which has two pixels for each unit of the SVG, are drawn by the browser Chromium.
 
         Raises:
             UsageError: The name of the file has the extension of another format.
-            OperatingSystemError: The file cannot be written.
+            OperatingSystemError: The file cannot be written, or there is no Chromium for PDF or PNG.
         """
-        _write(path, self.svg, ".svg")
+        ending = Path(os.fspath(path)).suffix.lower()
+        if ending in (".pdf", ".png"):
+            _write(path, converted(self.svg, ending))
+        else:
+            write_text(path, self.svg, ".svg", ".pdf", ".png")
 
     def _repr_svg_(self):
         return self.svg
@@ -58,7 +65,7 @@ class Page:
             UsageError: The name of the file has the extension of another format.
             OperatingSystemError: The file cannot be written.
         """
-        _write(path, self.html, ".html")
+        write_text(path, self.html, ".html")
 
     def _repr_html_(self):
         return (f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="{self.height}" '
@@ -156,7 +163,7 @@ class MapData:
     def _check(self, panel, where):
         if panel not in PANELS:
             columns = self.map.features if where.endswith(".plot") else []
-            near = difflib.get_close_matches(panel, [*PANELS, *columns], n=1)
+            near = difflib.get_close_matches(str(panel), [*PANELS, *columns], n=1)
             advice = f"panels are: {', '.join(PANELS)}" + (", and the names of columns" if columns else "")
             raise UsageError(f"there is no panel '{panel}'", where,
                              f"did you mean '{near[0]}'? {advice}" if near else advice)
@@ -231,12 +238,17 @@ def _count(number, where):
     raise UsageError(f"{number!r} is not a number of component planes", where, "use at least 1")
 
 
-def _write(path, text, ending):
+def write_text(path, text, ending, *others):
+    """Writes a text to a file with an extension, or with none; ``others`` are mentioned in the error."""
     path = Path(os.fspath(path))
     if path.suffix.lower() not in (ending, ""):
         raise UsageError(f"the content is {ending[1:].upper()}, not {path.suffix[1:]}", str(path),
-                         f"use the extension {ending}")
+                         f"use the extension {' or '.join([ending, *others])}")
+    _write(path, text.encode())
+
+
+def _write(path, content):
     try:
-        path.write_text(text, encoding="utf-8", newline="\n")
+        Path(os.fspath(path)).write_bytes(content)
     except OSError as error:
         raise OperatingSystemError(error.strerror or str(error), str(path)) from error

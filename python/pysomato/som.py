@@ -8,19 +8,20 @@ from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, Transfo
 
 from . import _somato
 from ._labels import labels_of, places_of, warn_of_doubtful
-from ._numbers import number_of_threads
+from ._numbers import number_of_threads, seed_of
+from ._progress import shown
 from ._rows import check_fitted, level_of_user, sample_rows_of
 from .drawing import Drawing, MapData
 from .errors import DataError, LabelWarning, UsageError
 
 # In __init__, but not parameters of a map.
-_NOT_OF_MAP = {"missing", "unlabelled", "threads"}
+_NOT_OF_MAP = {"random_state", "seed", "missing", "extra_columns", "unlabelled", "threads", "verbose"}
 
 
 class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     """A self-organizing map.
 
-    Its parameters, except ``unlabelled`` and ``threads``, have the names, values and defaults of
+    Its parameters, except those from ``random_state`` on, have the names, values and defaults of
     ``somato som train`` (docs/reference/flags-and-keys.md); ``None`` is ``automatic``. The same rows, parameters and seed
     give the same map, bit by bit, as the program. Rows are float32 in C order, (samples, columns);
     such an array is not copied, others are converted (a ``ConversionWarning`` reports large ones).
@@ -31,13 +32,21 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     Args:
         rows: Rows of the map.
         columns: Columns of the map.
+        random_state: The seed of the initial weights and draws: a whole number, which gives the same map
+            each time; or a RandomState or Generator of numpy, or None for numpy's own, from which each
+            training draws another seed.
+        seed: The same by its name in the program; None: ``random_state``.
         missing: Treatment of missing values of X, which are None, NA, NaN or masked: ``refuse``;
             ``mean``, which is that of the column in the training data; or ``nearest``, which is the
             value of the nearest complete row in ``fit``, and the weight of the winner afterwards.
+        extra_columns: Treatment of a table's columns that ``fit`` did not have: ``refuse``, as in
+            scikit-learn, which also requires their order; or ``ignore``, which selects those of ``fit``
+            by their names.
         unlabelled: A value of y that means that a sample has no label, such as -1, in addition to
             None, NA, NaN, NaT, masked elements and empty texts.
         threads: Threads that compute; None: as many as the machine runs at once. Does not affect
             results.
+        verbose: Whether ``fit`` shows its progress on standard error: a bar of tqdm, or lines without it.
 
     Attributes:
         map_: The trained map, which a notebook draws. Immutable.
@@ -58,7 +67,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
                  radius_end=1.0, radius_reached_at=None, learning_rate_schedule="linear",
                  learning_rate_start=0.3, learning_rate_end=0.02, learning_rate_reached_at=None,
                  arithmetic="automatic", softmax="power", softmax_exponent=10.0,
-                 activity_norm="maximum", seed=1, missing="refuse", unlabelled=None, threads=None):
+                 activity_norm="maximum", random_state=1, seed=None, missing="refuse",
+                 extra_columns="refuse", unlabelled=None, threads=None, verbose=False):
         self.rows = rows
         self.columns = columns
         self.lattice = lattice
@@ -83,10 +93,13 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         self.softmax = softmax
         self.softmax_exponent = softmax_exponent
         self.activity_norm = activity_norm
+        self.random_state = random_state
         self.seed = seed
         self.missing = missing
+        self.extra_columns = extra_columns
         self.unlabelled = unlabelled
         self.threads = threads
+        self.verbose = verbose
 
     def fit(self, X, y=None) -> "SOM":
         """Trains a new map on the rows of X.
@@ -106,7 +119,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         """
         X = self._rows(X, reset=True, least=2).filled()
         labels = None if y is None else self._labels_to_learn(y, X)
-        trained = _somato.Map.train(self._map_parameters(), X, self._threads())
+        with shown(type(self).__name__, bool(self.verbose)) as show:
+            trained = _somato.Map.train(self._map_parameters(), X, self._threads(), show)
         self._forget()
         found = trained.quality(X, self._threads())
         self.quantization_error_, self.topographic_error_, self.hits_, self.winners_ = found
@@ -257,7 +271,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     @classmethod
     def _of(cls, trained):
         """The estimator of a map of the library."""
-        som = cls(**trained.parameters)
+        parameters = trained.parameters
+        som = cls(random_state=parameters.pop("seed"), **parameters)
         som.map_ = trained
         som.n_features_in_ = trained.input_size
         if trained.features:
@@ -306,8 +321,9 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         return {"text/plain": repr(self), "image/svg+xml": picture}
 
     def _map_parameters(self):
-        return {name: value for name, value in self.get_params(deep=False).items()
-                if name not in _NOT_OF_MAP}
+        values = {name: value for name, value in self.get_params(deep=False).items()
+                  if name not in _NOT_OF_MAP}
+        return {**values, "seed": seed_of(self.random_state, self.seed, type(self).__name__)}
 
     def _threads(self):
         return number_of_threads(self.threads, "SOM")
@@ -334,7 +350,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         return self._rows(X, reset=False)
 
     def _rows(self, X, **how):
-        return sample_rows_of(self, X, missing=self.missing, **how)
+        return sample_rows_of(self, X, missing=self.missing, extra_columns=self.extra_columns, **how)
 
     def _labels_to_learn(self, y, X):
         return self._labels(y, X)

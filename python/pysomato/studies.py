@@ -191,7 +191,9 @@ class Live:
         return self._inner.winner()
 
     def label(self) -> str | None:
-        """The label of this neuron, or None if no training exploration named it."""
+        """The label of the most similar neuron that a training exploration named, as ``somato live``
+        and ``TrainedSystem.answers`` (``nearest``) give it; None if the system was trained without labels.
+        """
         return self._inner.label()
 
 

@@ -4,6 +4,8 @@ import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
 
 from . import _somato
+from ._numbers import seed_of
+from ._progress import shown
 from ._rows import check_fitted, rows_of
 from .errors import UsageError
 
@@ -19,6 +21,9 @@ class TMPSOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         shape: Neurons along each axis of the grid.
         input_sizes: Columns of each input; None: one input for each axis, as equal as possible.
         input_axes: The axis of each input, from 0; None: input 0 has axis 0, and so on.
+        random_state: As for ``SOM``.
+        seed: As for ``SOM``.
+        verbose: As for ``SOM``.
 
     Attributes:
         map_: The trained map. Immutable.
@@ -28,7 +33,8 @@ class TMPSOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     def __init__(self, shape=(10, 10), *, input_sizes=None, input_axes=None, combination="multiplied",
                  arbor_sigma=1.0, neighbourhood_sigma=1.0, learning_rate_schedule="linear",
                  learning_rate_start=0.1, learning_rate_end=0.0, learning_rate_reached_at=None,
-                 input_norm="l2", weight_norm="l2", iterations=5000, seed=1):
+                 input_norm="l2", weight_norm="l2", iterations=5000, random_state=1, seed=None,
+                 verbose=False):
         self.shape = shape
         self.input_sizes = input_sizes
         self.input_axes = input_axes
@@ -42,7 +48,9 @@ class TMPSOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         self.input_norm = input_norm
         self.weight_norm = weight_norm
         self.iterations = iterations
+        self.random_state = random_state
         self.seed = seed
+        self.verbose = verbose
 
     def fit(self, X, y=None) -> "TMPSOM":
         """Trains a new map on rows of X, drawn at random.
@@ -56,7 +64,8 @@ class TMPSOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
             DataError: The inputs have another number of columns.
         """
         X = rows_of(self, X, reset=True)
-        self.map_ = _somato.TMpsom.train(self._map_parameters(X), X)
+        with shown(type(self).__name__, bool(self.verbose)) as show:
+            self.map_ = _somato.TMpsom.train(self._map_parameters(X), X, show)
         self.samples_seen_ = self.map_.parameters["iterations"]
         return self
 
@@ -100,6 +109,8 @@ class TMPSOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     def _map_parameters(self, X):
         values = self.get_params(deep=False)
+        del values["verbose"]
+        values["seed"] = seed_of(values.pop("random_state"), self.seed, type(self).__name__)
         values["shape"] = list(np.atleast_1d(self.shape).tolist())
         if self.input_sizes is None:
             values["input_sizes"] = self._equal_sizes(X.shape[1], len(values["shape"]))

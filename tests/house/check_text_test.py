@@ -33,6 +33,13 @@ class Text(TreeTest):
         self.assertEqual(len(self.problems("src/maps/a.cc", "std::cout << 1;\n")), 1)
         self.assertEqual(self.problems("program/main.cc", "std::cout << 1;\n"), [])
 
+    def test_refuses_flags_of_the_program_in_messages_of_the_library(self):
+        message = 'fail(kind, "there is no name", "use --skip 1");\n'
+        self.assertEqual(len(self.problems("src/base/tables/a.cc", message)), 1)
+        self.assertEqual(self.problems("src/recordings/bags/a.cc", message), [], "only the program reads bags")
+        self.assertEqual(self.problems("program/som/a.cc", message), [])
+        self.assertEqual(self.problems("src/base/tables/a.cc", 'flag_hint("skip");  // "--skip"\ni--;\n'), [])
+
     def test_refuses_flags_that_change_bits(self):
         self.assertEqual(len(self.problems("CMakeLists.txt", "add_compile_options(-ffast-math)\n")), 1)
 

@@ -1,5 +1,7 @@
 """Pictures: those of the program, and the cells on axes of matplotlib."""
 
+import re
+import shutil
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -59,10 +61,29 @@ def test_a_drawing_is_saved_and_shown(som, tmp_path):
     assert isinstance(drawing, Drawing)
     drawing.save(tmp_path / "map.svg")
     assert (tmp_path / "map.svg").read_text() == drawing.svg == drawing._repr_svg_()
-    with pytest.raises(pysomato.UsageError, match="use the extension .svg"):
-        drawing.save(tmp_path / "map.png")
+    with pytest.raises(pysomato.UsageError, match="use the extension .svg or .pdf or .png"):
+        drawing.save(tmp_path / "map.jpeg")
     with pytest.raises(pysomato.OperatingSystemError, match="missing"):
         drawing.save(tmp_path / "missing/map.svg")
+
+
+def test_a_drawing_is_saved_as_pdf_and_png_by_chromium(tmp_path, monkeypatch):
+    square = Drawing('<svg xmlns="http://www.w3.org/2000/svg" width="120" height="60" viewBox="0 0 120 60">'
+                     '<rect x="60" y="0" width="60" height="60" fill="#ff8000"/></svg>')
+    if shutil.which("chromium") is not None:
+        pixels = pytest.importorskip("PIL.Image")
+        square.save(tmp_path / "square.png")
+        picture = pixels.open(tmp_path / "square.png").convert("RGB")
+        assert picture.size == (240, 120)
+        assert (picture.getpixel((60, 60)), picture.getpixel((180, 60))) == ((255, 255, 255), (255, 128, 0))
+        square.save(tmp_path / "square.PDF")
+        content = (tmp_path / "square.PDF").read_bytes()
+        assert content.startswith(b"%PDF-") and content.count(b"/Type /Page\n") == 1
+        assert re.search(rb"/MediaBox \[0 0 90 45", content)  # points
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(pysomato.OperatingSystemError, match="Chromium, which is not installed.*plot"):
+        square.save(tmp_path / "other.pdf")
+    assert not (tmp_path / "other.pdf").exists()
 
 
 def test_panels_without_data_are_named(som, files, X):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pysomato
-from pysomato import Recording, load, study
+from pysomato import Recording, System, load, study, suggest
 
 STUDY = """
 [study]
@@ -141,6 +141,22 @@ def test_a_trained_system_processes_frames(recording, toml, tmp_path):
     assert 'type = "som"' in load(tmp_path / "system.somato").toml
 
 
+def test_a_live_system_always_answers_the_most_similar_class(recording, toml):
+    system = System(toml).fit(recording, seed=1)
+    live = system.live()
+    centres = [frames[-1] for frames in recording["joints"]]
+    answers, named = [], set(study(recording, toml, seeds=1).som.winners_)
+    unnamed = 0
+    for one in centres:
+        for other in centres[:3]:  # between two things, where no exploration has been
+            between = Recording.from_arrays({"object": ["x"]}, {"joints": [[0.5 * (one + other)]]})
+            live.start()
+            live.step({"joints": between["joints"][0][0]})
+            unnamed += live.winner() not in named
+            answers.append(live.label() == system.answers(between)["nearest"][0])
+    assert unnamed > 0 and all(answers)
+
+
 def test_the_map_of_a_study_is_at_the_end_of_its_training(recording, toml):
     som = study(recording, toml, seeds=1, protocols="train_is_test").som
     assert som.samples_seen_ == som.get_params()["iterations"]
@@ -166,6 +182,27 @@ def test_a_live_system_outlives_its_file_and_study(recording, toml):
         live.step({"joints": np.ma.masked_equal([0.0, 7.0, 0.0, 0.0, 0.0], 7.0)})
     live.step({"joints": [0.0] * 5})
     assert 0 <= live.winner() < 16
+
+
+def test_suggestions_are_those_of_the_program(recording, somato, tmp_path):
+    recording.write(tmp_path / "grasps.mcap")
+    somato("suggest", tmp_path / "grasps.mcap", "--budget", 50, "--seed", 3, "-o", tmp_path / "theirs.toml",
+           "--name", "mine")
+    suggested = suggest(recording, budget=50, seed=3, name="mine")
+    suggested.save(tmp_path / "mine.toml")
+    assert (tmp_path / "mine.toml").read_text() == (tmp_path / "theirs.toml").read_text()
+    assert suggested.scores["combinations"] > 0
+    assert (suggested.name, suggested.modules) == ("mine", System(tmp_path / "theirs.toml").modules)
+    assert len(study(recording, suggested, seeds=1).predictions) > 0
+
+
+def test_wrong_settings_of_suggestions_are_named(recording):
+    with pytest.raises(pysomato.UsageError, match="did you mean 'budget'"):
+        suggest(recording, buget=50)
+    with pytest.raises(pysomato.UsageError, match="'budget' must be a whole number.*not None"):
+        suggest(recording, budget=None)
+    with pytest.raises(pysomato.DataError, match="only one exploration"):
+        suggest(Recording.from_arrays({"object": ["a"]}, {"joints": [np.ones((3, 2))]}))
 
 
 def test_own_systems_have_names():

@@ -125,12 +125,18 @@ def test_the_progress_is_shown_and_can_stop(system, recording):
         pysomato._somato.study(recording._inner, system._inner, {"seeds": 10**6}, 2, stop)
 
 
-def test_bars_need_tqdm(system, recording, monkeypatch):
-    pytest.importorskip("tqdm")
-    assert len(study(recording, system, seeds=1, progress=True).values) > 0
+def test_lines_show_the_progress_without_tqdm(system, recording, monkeypatch, capfd):
     monkeypatch.setitem(sys.modules, "tqdm.auto", None)
-    with pytest.raises(pysomato.UsageError, match="tqdm"):
-        study(recording, system, seeds=1, progress=True)
+    study(recording, system, seeds=1)
+    assert capfd.readouterr().err == ""
+    study(recording, system, seeds=1, progress=True)
+    assert ": 100 %, about 0 s left\n" in capfd.readouterr().err
+
+
+def test_bars_show_the_progress_with_tqdm(system, recording, capfd):
+    pytest.importorskip("tqdm")
+    study(recording, system, seeds=1, progress=True)
+    assert "it/s" in capfd.readouterr().err
 
 
 def apart(things, explorations, seed=5):

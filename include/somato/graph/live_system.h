@@ -47,6 +47,10 @@ class LiveSystem {
   /// requires more frames. Throws InvalidArgument before the first frame.
   Result<std::size_t> winner();
 
+  /// The most similar of these neurons, such as those that have a label. Errors as for winner().
+  /// Throws InvalidArgument before the first frame, or if there are none.
+  Result<std::size_t> winner_among(std::span<const std::size_t> neurons);
+
  private:
   class Impl;
   explicit LiveSystem(std::unique_ptr<Impl> impl);

@@ -12,6 +12,7 @@
 #include "base/arrays/npy_header.h"
 #include "base/arrays/npy_layout.h"
 #include "base/arrays/sparse_rows.h"
+#include "base/text/flag_hint.h"
 #include "somato/core/parameter.h"
 
 namespace somato {
@@ -146,7 +147,7 @@ class MatFile {
     }
     return fail(ErrorKind::kUsage,
                 fmt::format("the file contains several matrices: {}", fmt::join(names, ", ")),
-                where_, "select one with --variable");
+                where_, "select one of these variables" + flag_hint("variable"));
   }
 
   // The inflated content of a compressed variable; nothing for other elements.

@@ -12,6 +12,7 @@
 
 #include "base/archives/little_endian.h"
 #include "base/arrays/npy_header.h"
+#include "base/text/flag_hint.h"
 #include "base/text/text.h"
 #include "somato/files/npy.h"
 
@@ -136,7 +137,8 @@ tl::unexpected<Error> not_a_float(double value, std::size_t row, std::size_t col
       where,
       fmt::format("{} in row {}, column {} (counted from 1) is not a finite 32-bit number", value,
                   row + 1, column + 1),
-      std::isnan(value) ? "leave the row out, fill in a number, or use --missing mean or nearest"
+      std::isnan(value) ? "leave the row out, fill in a number, or keep missing values" +
+                              flag_hint("missing", "mean or nearest")
                         : "leave the row out or fill in a number");
 }
 
@@ -202,11 +204,12 @@ Result<NpyReading> npy_reading(const NpyLayout& layout, const CsvOptions& option
                                const std::string& where) {
   if (!options.label_column.empty()) {
     return fail(ErrorKind::kUsage, "an NPY file has no label column", where,
-                "use --labels with a text file, one label per line");
+                "write the labels to a text file, one per line" + flag_hint("labels"));
   }
   if (options.decimal != DecimalMark::kPoint) {
-    return fail(ErrorKind::kUsage, "an NPY file has no decimal comma", where,
-                "omit --decimal, which applies to text files");
+    return fail(
+        ErrorKind::kUsage, "an NPY file has no decimal comma", where,
+        "read decimal points; the mark applies to text files" + flag_hint("decimal", "point"));
   }
   TableColumns columns;
   columns.width = layout.columns;

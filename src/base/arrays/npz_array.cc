@@ -11,6 +11,7 @@
 #include "base/arrays/npy_header.h"
 #include "base/arrays/npy_layout.h"
 #include "base/arrays/sparse_rows.h"
+#include "base/text/flag_hint.h"
 #include "somato/core/parameter.h"
 
 namespace somato {
@@ -143,7 +144,8 @@ Result<std::string> npy_in_npz(std::string_view bytes, const std::string& where,
                   ? std::string("the archive contains no arrays")
                   : fmt::format("the archive contains several arrays: {}", fmt::join(names, ", ")),
               where,
-              names.empty() ? "save an array with numpy.savez" : "select one with --variable");
+              names.empty() ? "save an array with numpy.savez"
+                            : "select one of these variables" + flag_hint("variable"));
 }
 
 }  // namespace somato

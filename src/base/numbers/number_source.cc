@@ -10,6 +10,7 @@
 #include "base/numbers/npy_source.h"
 #include "base/numbers/numbers_in_memory.h"
 #include "base/numbers/whole_table.h"
+#include "base/text/flag_hint.h"
 #include "somato/core/check.h"
 #include "somato/files/npy.h"
 
@@ -25,7 +26,8 @@ Result<void> check_columns(const NumberSource& file, const std::string& path,
     return {};
   }
   return fail(ErrorKind::kData, "the file has other columns than the first one", path,
-              "name files with the same columns, or select them with --columns-to-use");
+              "name files with the same columns, or select the same columns of each" +
+                  flag_hint("columns-to-use"));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "base/text/flag_hint.h"
+
 namespace somato {
 
 // A single column needs no separator.
@@ -15,7 +17,8 @@ Result<char> begin_csv(CsvRecords& records, DecimalMark decimal, std::optional<c
   if (fields.size() <= 1) return ';';
   return fail(ErrorKind::kUsage, "commas separate the fields, so they cannot be decimal separators",
               records.line_place(fields[0]),
-              "separate the fields by semicolons or tabs, or omit --decimal comma");
+              "separate the fields by semicolons or tabs, or read decimal points" +
+                  flag_hint("decimal", "point"));
 }
 
 }  // namespace somato

@@ -24,7 +24,7 @@ std::string columns_by_number(const std::vector<std::string>& names,
                               const std::vector<std::size_t>& columns);
 
 /// The error (kData) for `columns`, at least one, of `width` that have no names. `alternative` is
-/// what to do if the file is not changed, such as "use --skip 1".
+/// what to do if the file is not changed, such as "skip 1".
 Error nameless_columns(const std::vector<std::size_t>& columns, std::size_t width,
                        std::string_view where, std::string_view alternative);
 

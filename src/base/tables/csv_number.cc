@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/text/flag_hint.h"
 #include "base/text/text.h"
 #include "somato/core/check.h"
 
@@ -65,8 +66,9 @@ std::string decimal_advice(std::string_view field, DecimalMark decimal) {
                             : "";
   }
   return has_decimal_comma(field)
-             ? "write decimals with a point and thousands without a separator, or use --decimal "
-               "comma for decimal commas"
+             ? "write decimals with a point and thousands without a separator, or read decimal "
+               "commas" +
+                   flag_hint("decimal", "comma")
              : "";
 }
 

@@ -11,6 +11,7 @@
 #include "base/tables/csv_header.h"
 #include "base/tables/csv_number.h"
 #include "base/tables/csv_text.h"
+#include "base/text/flag_hint.h"
 #include "base/text/text.h"
 #include "somato/core/check.h"
 #include "somato/core/value.h"
@@ -184,13 +185,13 @@ Error CsvTableReader::no_number(std::size_t column, CsvMeaning meaning) const {
   const bool ends_row = field.text.empty() && column + 1 == columns_.width && column > 0;
   if (ends_row && is_first_row_ && columns_.names.empty()) {
     error.advice = fmt::format(
-        "if a separator ends every line, leave the last column out with --skip {}, or remove the "
-        "separator",
-        columns_.width);
+        "if a separator ends every line, skip the last column{}, or remove the separator",
+        flag_hint("skip", std::to_string(columns_.width)));
     return error;
   }
   if (meaning == CsvMeaning::kMissing) {
-    error.advice = "leave the row out, fill in a number, or use --missing mean or nearest";
+    error.advice = "leave the row out, fill in a number, or keep missing values" +
+                   flag_hint("missing", "mean or nearest");
   }
   return error;
 }
@@ -206,12 +207,13 @@ std::string CsvTableReader::advice_for_text() const {
     columns.push_back(columns_.names.empty() ? std::to_string(i + 1) : columns_.names[i]);
   }
   if (columns_.names.empty() || columns.empty()) {
-    return "correct it, use the column for labels, or leave it out with --skip";
+    return "correct it, use the column for labels, or skip it" + flag_hint("skip");
   }
+  const std::string list = fmt::format("{}", fmt::join(columns, ","));
   return fmt::format(
-      "{}: select the labels with --label-column, leave others out with --skip '{}'",
+      "{}: use the labels as label column{}, and skip others: {}{}",
       columns.size() == 1 ? "the column contains text" : "these columns contain text",
-      fmt::join(columns, ","));
+      flag_hint("label-column"), list, flag_hint("skip", "'" + list + "'"));
 }
 
 Result<void> CsvTableReader::no_rows() const {

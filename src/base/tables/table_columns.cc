@@ -10,6 +10,7 @@
 
 #include "base/core/values_at.h"
 #include "base/tables/csv_header.h"
+#include "base/text/flag_hint.h"
 #include "base/text/name_glob.h"
 #include "base/text/text.h"
 #include "somato/core/value.h"
@@ -128,7 +129,9 @@ class Chooser {
           return unusable_choice(
               fmt::format("column {} contains the labels and cannot be used as a feature",
                           shown(item)),
-              where_, "remove it from --columns-to-use, or use another label column");
+              where_,
+              fmt::format("remove it from the columns to use{}, or use another label column",
+                          flag_hint("columns-to-use")));
         }
         chosen_[column] = true;
         if (named.exactly) named_[column] = true;
@@ -143,12 +146,12 @@ class Chooser {
         if (named_[column]) {
           return unusable_choice(
               fmt::format("column {} is both selected and skipped", name(column)), where_,
-              "name it in --columns-to-use or in --skip");
+              "either use it or skip it");
         }
         if (named.exactly && column == table_.label) {
           return unusable_choice(
               fmt::format("column {} contains the labels and cannot be skipped", shown(item)),
-              where_, "remove it from --skip; labels are not used for training");
+              where_, "do not skip it; labels are not used for training");
         }
         chosen_[column] = false;
       }
@@ -183,6 +186,10 @@ class Chooser {
   std::vector<bool> named_;  // by an item that names a single column to be used
 };
 
+std::string skip_columns(const std::string& columns) {
+  return fmt::format("skip {}{}", columns, flag_hint("skip", columns));
+}
+
 // Columns that nothing but their place identifies are features only where they are chosen.
 Result<void> check_identified(const TableColumns& table, const Chooser& chooser,
                               std::string_view where) {
@@ -202,12 +209,11 @@ Result<void> check_identified(const TableColumns& table, const Chooser& chooser,
                 fmt::format("columns {} and {} are both named {}", twin->second + 1, column + 1,
                             shown(name)),
                 std::string(where),
-                fmt::format("rename one of them, or leave one out with --skip {}",
-                            columns_by_number(table.names, {column})));
+                "rename one of them, or " + skip_columns(columns_by_number(table.names, {column})));
   }
   if (nameless.empty()) return {};
   return fail(nameless_columns(nameless, table.width, where,
-                               "use --skip " + columns_by_number(table.names, nameless)));
+                               skip_columns(columns_by_number(table.names, nameless))));
 }
 
 tl::unexpected<Error> missing_feature(const std::string& name, const TableColumns& table,

@@ -47,7 +47,7 @@ double half_extent(const Object& object, double turn) {
 
 Error lost(const HandScene::Impl& scene, const std::string& how) {
   return {ErrorKind::kData, fmt::format("the object {}", how), scene.object.name,
-          "keep it fixed (omit --free), or give it another mass"};
+          "keep it fixed, or give it another mass"};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "base/archives/archive.h"
 #include "base/archives/checksum.h"
+#include "base/text/flag_hint.h"
 #include "maps/som/map_parts.h"
 #include "maps/som/som_archive.h"
 #include "somato/core/parameter.h"
@@ -51,8 +52,10 @@ Result<std::optional<TrainingCheckpoint>> load_checkpoint(const std::string& pat
   }
   SOMATO_TRY(const auto training, archive.get<std::string>("training", path));
   if (*training != identity) {
-    return fail(ErrorKind::kUsage, "the checkpoint is that of a training with other flags or data",
-                path, "complete that training, use another --checkpoint, or remove the file");
+    return fail(ErrorKind::kUsage,
+                "the checkpoint is that of a training with other parameters or data", path,
+                fmt::format("complete that training, use another checkpoint{}, or remove the file",
+                            flag_hint("checkpoint")));
   }
   SOMATO_TRY(const auto epochs, archive.get<Array<std::int64_t>>("epochs", path));
   SOMATO_TRY(auto som, som_from(archive, kCheckpointPrefix, path));

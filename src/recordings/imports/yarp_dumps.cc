@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "base/files/whole_file.h"
+#include "base/text/flag_hint.h"
 #include "base/text/text.h"
 #include "recordings/explorations/clock_times.h"
 #include "recordings/explorations/element_order.h"
@@ -259,10 +260,10 @@ Result<std::vector<Dump>> find_dumps(const std::filesystem::path& folder, const 
     if (dump) {
       dumps.push_back(std::move(*dump));
     } else if (!pass_over_others) {
-      return fail(ErrorKind::kData,
-                  fmt::format("the folder does not match the pattern \"{}\"", files),
-                  (folder / file).parent_path().string(),
-                  "correct the pattern, or use --other-files ignore");
+      return fail(
+          ErrorKind::kData, fmt::format("the folder does not match the pattern \"{}\"", files),
+          (folder / file).parent_path().string(),
+          "correct the pattern, or ignore other files" + flag_hint("other-files", "ignore"));
     }
   }
   if (!dumps.empty()) return dumps;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/text/flag_hint.h"
 #include "base/text/text.h"
 #include "recordings/ros/definition.h"
 #include "recordings/ros/field_reader.h"
@@ -32,7 +33,7 @@ std::string reason_without_channels(const TopicEncoding& encoding, const RosType
 Result<TopicMessages> cdr_messages(const TopicEncoding& encoding) {
   if (encoding.definition.empty() && ros_type_name(encoding.type) != kTypeWithoutFields) {
     return fail(ErrorKind::kData, fmt::format("the file holds no definition of {}", encoding.type),
-                {}, "give its .msg files with --definitions");
+                {}, "give its .msg files as definitions" + flag_hint("definitions"));
   }
   SOMATO_TRY(RosType type, compile_ros_definition(encoding.type, encoding.definition_encoding,
                                                   encoding.definition));

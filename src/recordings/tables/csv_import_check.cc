@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/text/flag_hint.h"
 #include "recordings/tables/column_names.h"
 #include "recordings/tables/name_pattern.h"
 
@@ -44,7 +45,8 @@ Result<void> check_time(const CsvTrials& trials) {
   }
   if (trials.time.size() < 2 || trials.time_unit == TimeUnit::kIso) return {};
   return wrong("'time' has two columns, but numbers are in one",
-               "write time_unit = \"iso\" (--time-unit iso) for dates and times of day");
+               fmt::format("write time_unit = \"iso\"{} for dates and times of day",
+                           flag_hint("time-unit", "iso")));
 }
 
 Result<void> check_window(const CsvTrials& trials) {
@@ -210,7 +212,8 @@ Result<void> check_csv_parts(const CsvImport& description,
   std::size_t part = 0;
   Result<void> checked = check_trials(description.trials);
   if (checked && description.channels.empty()) {
-    checked = wrong("there are no channels", "add [[channel]] with name, unit and columns");
+    checked = wrong("there are no channels",
+                    "add a channel with name, unit and columns ([[channel]] in a description)");
   }
   auto taken = checked.and_then([&] { return columns_of_trials(description.trials); });
   std::set<std::string> names;

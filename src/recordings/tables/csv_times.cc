@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/tables/csv_number.h"
+#include "base/text/flag_hint.h"
 #include "base/text/iso_time.h"
 #include "base/text/text.h"
 
@@ -33,6 +34,10 @@ std::optional<TimeUnit> unit_of_epoch(double number) {
   return std::nullopt;
 }
 
+std::string with_unit(const std::string& unit) {
+  return fmt::format("import with time_unit = \"{}\"{}", unit, flag_hint("time-unit", unit));
+}
+
 }  // namespace
 
 std::string CsvTimes::text() const {
@@ -48,9 +53,10 @@ std::string CsvTimes::how_to_convert() const {
     columns.push_back(fmt::format("frame[{}]", shown(name)));
   return fmt::format(
       "convert the {} with pandas: {} = pandas.to_datetime({}, "
-      "dayfirst=True).map(pandas.Timestamp.isoformat), and import {} with --time-unit iso",
+      "dayfirst=True).map(pandas.Timestamp.isoformat), and import {} with time_unit = \"iso\"{}",
       columns.size() == 1 ? "column, for example" : "two columns into one, for example",
-      columns.front(), fmt::join(columns, " + ' ' + "), shown(trials_.time.front()));
+      columns.front(), fmt::join(columns, " + ' ' + "), shown(trials_.time.front()),
+      flag_hint("time-unit", "iso"));
 }
 
 std::string CsvTimes::names() const {
@@ -78,9 +84,7 @@ Result<CsvTimes::Time> CsvTimes::read_number() {
   }
   if (meaning == CsvMeaning::kText) {
     const std::string decimals = decimal_advice(field, trials_.decimal);
-    const std::string advice = read_iso_time(field)
-                                   ? "import with --time-unit iso (time_unit = \"iso\")"
-                                   : how_to_convert();
+    const std::string advice = read_iso_time(field) ? with_unit("iso") : how_to_convert();
     return refuse(fmt::format("{} in {} is not a time in {}", shown(field), names(),
                               choice_name(trials_.time_unit)),
                   decimals.empty() ? advice : decimals);
@@ -98,10 +102,9 @@ Result<void> CsvTimes::check_unit(double number) const {
   if (number / units_per_second(trials_.time_unit) <= kYear2100) return {};
   const auto unit = unit_of_epoch(number);
   if (!unit) return {};
-  return refuse(
-      fmt::format("{} in {} is a time after the year 2100 in the unit {}", shown(text()), names(),
-                  choice_name(trials_.time_unit)),
-      fmt::format("import with --time-unit {0} (time_unit = \"{0}\")", choice_name(*unit)));
+  return refuse(fmt::format("{} in {} is a time after the year 2100 in the unit {}", shown(text()),
+                            names(), choice_name(trials_.time_unit)),
+                with_unit(choice_name(*unit)));
 }
 
 Result<CsvTimes::Time> CsvTimes::read_iso() {
@@ -110,7 +113,8 @@ Result<CsvTimes::Time> CsvTimes::read_iso() {
     const bool is_number =
         read_csv_number<double>(text(), trials_.decimal).meaning == CsvMeaning::kNumber;
     return refuse(fmt::format("{} in {} is not a time in ISO 8601", shown(text()), names()),
-                  is_number ? "import with the unit of the numbers: --time-unit s, ms, us or ns"
+                  is_number ? "import with the unit of the numbers, s, ms, us or ns" +
+                                  flag_hint("time-unit", "s")
                             : fmt::format("such as 2025-04-17T17:00:08.25; {}", how_to_convert()));
   }
   if (time->has_date != has_date_.value_or(time->has_date) ||
@@ -137,8 +141,9 @@ Result<void> CsvTimes::end_row(bool begins_exploration) {
     const bool is_midnight = has_date_.has_value() && !*has_date_;
     return refuse(
         fmt::format("the time decreases: {} in {} follows a later time", shown(text()), names()),
-        is_midnight ? "after midnight times of day need the column of the date: --time "
-                      "Date,Time"
+        is_midnight ? "after midnight times of day need the column of the date as the first of "
+                      "two columns of the time" +
+                          flag_hint("time", "Date,Time")
                     : "repair or remove the file");
   }
   is_constant_ = is_constant_ && seconds == 0.0;

@@ -16,6 +16,7 @@
 #include "base/tables/csv_number.h"
 #include "base/tables/csv_records.h"
 #include "base/tables/csv_text.h"
+#include "base/text/flag_hint.h"
 #include "base/text/text.h"
 #include "recordings/tables/csv_import_check.h"
 #include "recordings/tables/csv_times.h"
@@ -131,8 +132,9 @@ class TrialReader {
 
   Result<void> refuse_nameless(const std::vector<std::string>& names) const {
     const std::string columns = columns_by_number(names, columns_.nameless);
-    return fail(nameless_columns(columns_.nameless, names.size(), line_place(),
-                                 fmt::format("use --ignore {} (key 'ignore')", columns)));
+    return fail(nameless_columns(
+        columns_.nameless, names.size(), line_place(),
+        fmt::format("list {} under 'ignore'{}", columns, flag_hint("ignore", columns))));
   }
 
   Result<void> read_rows() {

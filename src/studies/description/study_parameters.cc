@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/core/contains.h"
+#include "base/text/flag_hint.h"
 #include "somato/core/check.h"
 #include "studies/description/changed_keys.h"
 
@@ -101,7 +102,7 @@ Result<void> check_complete(const StudyParameters& study, const Table& file) {
   }
   if (study.has(Protocol::kTestData)) {
     return refuse("protocols", "'test_data' cannot be selected as a protocol",
-                  "run the study with --test-data instead");
+                  "give the study a test recording instead" + flag_hint("test-data"));
   }
   if (study.has(Protocol::kLeaveGroupOut) && study.groups.empty()) {
     return refuse("protocols", "leave_group_out needs labels that define the groups",
@@ -197,7 +198,7 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
                "Division into training and test explorations: all for both, as in the papers; or "
                "each exploration, each group, or each of several equal parts is tested by a system "
                "trained on the others; or, with the same parts, by a system that learns the "
-               "objects one after another. test_data is added by --test-data.")
+               "objects one after another. A separate test recording adds test_data.")
           .add("groups", &P::groups, "", Range::any(),
                "Labels whose values are the groups of leave_group_out, which is run once for each "
                "label.")

@@ -1,5 +1,7 @@
 #include "studies/run/journal.h"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +14,7 @@
 
 #include "base/archives/checksum.h"
 #include "base/files/whole_file.h"
+#include "base/text/flag_hint.h"
 #include "studies/run/checked_line.h"
 #include "systems/graph/graph_json.h"
 
@@ -24,7 +27,7 @@ constexpr int kJournalVersion = 7;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
-              "use --out with a writable folder");
+              "choose a writable folder" + flag_hint("out"));
 }
 
 std::string header_of(const std::string& fingerprint) {
@@ -143,7 +146,8 @@ Result<void> Journal::read(const std::string& text) {
     if (!content || !content->contains("somato_journal")) return damaged(path_);
     return fail(ErrorKind::kUsage,
                 "the folder contains an interrupted study with other settings or data", path_,
-                "complete that study, use another --out, or remove the file");
+                fmt::format("complete that study, use another folder{}, or remove the file",
+                            flag_hint("out")));
   }
   whole_ = read_trainings(text);
   return {};

@@ -56,8 +56,8 @@ Result<void> check_usable(const Recording& recording) {
   SOMATO_TRY_VOID(validate(recording));
   if (recording.explorations.size() > 1) return {};
   return fail(ErrorKind::kData, "the recording has only one exploration", {},
-              "a comparison requires at least two; explore more, or cut a long recording with "
-              "'somato import csv --window'");
+              "a comparison requires at least two; explore more, or cut a long recording into "
+              "windows when it is imported ('window')");
 }
 
 // A search through the codes of one recording.

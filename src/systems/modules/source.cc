@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/text/flag_hint.h"
+
 namespace somato {
 
 namespace modules {
@@ -135,7 +137,7 @@ class ChannelModule : public Source {
     }
     if (parameters_.shape.empty()) {
       return fail(ErrorKind::kUsage, "its shape is unknown without a recording", {},
-                  "use --data with a recording, or write shape = [...]");
+                  fmt::format("use a recording{}, or write shape = [...]", flag_hint("data")));
     }
     ChannelLayout channel{parameters_.channel, {}, parameters_.shape, {}, "the recording"};
     // The names of its elements are irrelevant; only their number is used.

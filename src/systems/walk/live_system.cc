@@ -57,9 +57,12 @@ class LiveSystem::Impl {
   void start(double frame_rate);
   Result<void> step(std::span<const std::span<const float>> frame);
   Result<std::size_t> winner();
+  Result<std::size_t> winner_among(std::span<const std::size_t> neurons);
   const std::vector<std::string>& channels() const { return channels_; }
 
  private:
+  Result<SignalView> input();
+
   const Som& som_;
   std::size_t input_;  // the module whose value the map reads
   Walk walk_;
@@ -111,11 +114,23 @@ Result<void> LiveSystem::Impl::step(std::span<const std::span<const float>> fram
   return {};
 }
 
+// The input of the map for the exploration so far.
+Result<SignalView> LiveSystem::Impl::input() {
+  require(walk_.has_frames(), "a live system has not received a frame yet");
+  SOMATO_TRY_VOID(walk_.settle());
+  return *walk_.output(input_);
+}
+
 Result<std::size_t> LiveSystem::Impl::winner() {
   require(walk_.has_frames(), "a live system has not received a frame yet");
   if (const auto winner = sum_ ? sum_->winner() : std::nullopt) return *winner;
-  SOMATO_TRY_VOID(walk_.settle());
-  return som_.winner(*walk_.output(input_), workspace_);
+  SOMATO_TRY(const SignalView read, input());
+  return som_.winner(read, workspace_);
+}
+
+Result<std::size_t> LiveSystem::Impl::winner_among(std::span<const std::size_t> neurons) {
+  SOMATO_TRY(const SignalView read, input());
+  return som_.winner_among(neurons, read, workspace_);
 }
 
 Result<LiveSystem> LiveSystem::build(const System& system, std::size_t map) {
@@ -146,6 +161,10 @@ Result<void> LiveSystem::step(std::span<const std::span<const float>> frame) {
 
 Result<std::size_t> LiveSystem::winner() {
   return impl_->winner();
+}
+
+Result<std::size_t> LiveSystem::winner_among(std::span<const std::size_t> neurons) {
+  return impl_->winner_among(neurons);
 }
 
 }  // namespace somato

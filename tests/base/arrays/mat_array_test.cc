@@ -104,7 +104,7 @@ TEST(MatArray, TheOnlyMatrixIsReadOrTheNamedOne) {
       mat_variable("note", kCharClass, {1, 2}, mat_numbers<std::uint8_t>(kUint8, {'a', 'b'}));
   EXPECT_EQ(read_mat(mat(text + full())).value(), kFull);
   EXPECT_EQ(mat_refusal(mat(full() + full("y"))),
-            "a.mat: the file contains several matrices: x, y; select one with --variable");
+            "a.mat: the file contains several matrices: x, y; select one of these variables");
   EXPECT_EQ(read_mat(mat(full() + full("y")), "y").value(), kFull);
   EXPECT_NE(mat_refusal(mat(full()), "z").find("'z'"), std::string::npos);
   EXPECT_NE(mat_refusal(mat(text), "note").find("'note' is no matrix"), std::string::npos);

@@ -93,7 +93,7 @@ TEST(NpzArray, OneOfSeveralArraysIsSelected) {
   EXPECT_EQ(read_npz(members, "b").value(), Matrix<float>(1, 1, 3.0F));
   EXPECT_EQ(read_npz({members.front()}).value(), Matrix<float>(2, 1, {1.0F, 2.0F}));
   EXPECT_EQ(npz_refusal(members),
-            "a.npz: the archive contains several arrays: a, b; select one with --variable");
+            "a.npz: the archive contains several arrays: a, b; select one of these variables");
   EXPECT_NE(npz_refusal(members, "c").find("'c'"), std::string::npos);
 }
 

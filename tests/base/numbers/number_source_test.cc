@@ -129,7 +129,7 @@ TEST(NumberSource, KeepsMissingNumbersOfNpyButNoInfiniteOnes) {
   EXPECT_EQ(table.values(1, 1), 4.0F);
   const Error refused = read_numbers(path).error();
   EXPECT_NE(to_string(refused).find("row 1, column 2"), std::string::npos) << to_string(refused);
-  EXPECT_NE(refused.advice.find("--missing"), std::string::npos);
+  EXPECT_NE(refused.advice.find("keep missing values"), std::string::npos);
   folder.with("x", encode_npy(Matrix<float>(2, 2, {1, -1.0F / 0.0F, 3, 4})));
   EXPECT_FALSE(read_numbers(path, options));
   expect_as_whole(path, options);

@@ -31,12 +31,12 @@ TEST(IsNameless, KnowsTheNamesThatStandForNone) {
 }
 
 TEST(NamelessColumns, AreExplainedByTheirPlace) {
-  EXPECT_EQ(to_string(nameless_columns({0}, 3, "f", "use --skip 1")),
+  EXPECT_EQ(to_string(nameless_columns({0}, 3, "f", "skip 1")),
             "f: column 1 has no name; usually this is the index of pandas or the row names of R: "
-            "write the table without it (index=False, row.names=FALSE), or use --skip 1");
-  EXPECT_EQ(to_string(nameless_columns({2}, 3, "f", "use --skip 3")),
+            "write the table without it (index=False, row.names=FALSE), or skip 1");
+  EXPECT_EQ(to_string(nameless_columns({2}, 3, "f", "skip 3")),
             "f: column 3 has no name; a separator ends the line of names: remove it from every "
-            "line, or use --skip 3");
+            "line, or skip 3");
   EXPECT_EQ(to_string(nameless_columns({0, 1}, 3, "f", "x")).substr(0, 30),
             "f: columns 1, 2 have no names;");
 }

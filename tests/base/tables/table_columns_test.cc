@@ -141,7 +141,7 @@ TEST(TableColumns, WithOneNameAreAmbiguous) {
 TEST(TableColumns, WithoutNamesAmongOthersAreChosenByNumber) {
   const TableColumns table{5, {"(column 1)", "a", "Unnamed: 2", "1", "(column 5)"}, {}, {}, {}};
   expect_choice_refused({}, table, "columns 1, 3, 5 have no names", ErrorKind::kData);
-  expect_choice_refused({}, table, "--skip '(column 1),3,5'", ErrorKind::kData);
+  expect_choice_refused({}, table, "or skip '(column 1),3,5'", ErrorKind::kData);
   EXPECT_EQ(chosen({{}, {"(column 1)", "3", "5"}, {}}, table), (Columns{1, 3}));
   EXPECT_EQ(chosen({{"Unnamed: 2", "a"}, {}, {}}, table), (Columns{1, 2}));
   EXPECT_EQ(chosen({{"5", "1"}, {}, {}}, table), (Columns{3, 4})) << "a name precedes a number";

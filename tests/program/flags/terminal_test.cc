@@ -116,8 +116,9 @@ TEST_F(TerminalStudy, AnotherStudyDoesNotGoOnWithIt) {
   const Words words{"run", "study.toml", "--data", kTrials, "--out", "out"};
   interrupted(words);
   write_study("100000", "401");
-  expect_refused(2, words,
-                 {"out/unfinished.journal: ", "other settings or data", "use another --out"});
+  expect_refused(
+      2, words,
+      {"out/unfinished.journal: ", "other settings or data", "use another folder (--out)"});
   std::string damaged = read("out/unfinished.journal");
   damaged[20] ^= 1;  // of the line that identifies the file
   write("out/unfinished.journal", damaged);

@@ -120,8 +120,8 @@ TEST(ReadCsvImport, RefusesWhatDoesNotFitTogether) {
             "import.toml:1: 'files' is missing; write for example files = "
             "\"{object}_{trial:number}.csv\"");
   EXPECT_EQ(refusal(kImport),
-            "import.toml:1: there are no channels; add [[channel]] with name, "
-            "unit and columns");
+            "import.toml:1: there are no channels; add a channel with name, unit "
+            "and columns ([[channel]] in a description)");
   EXPECT_EQ(refusal("[import]\nfiles = \"all.csv\"\n" + kTouch),
             "import.toml:1: 'files': the pattern has no labels; write for example "
             "\"{object}_{trial:number}.csv\"");

@@ -75,7 +75,7 @@ TEST_F(CsvTimesOfAFile, MayBeInTwoColumns) {
                  {"x.csv:3:1: '2026-01-02T' in columns 'Date' and 'Time' is not a time"});
   expect_refused("Date,Time,a\n,10:30,1\n", {"x.csv:2:1: 'T10:30' in columns"});
   plan_.trials.time_unit = TimeUnit::kSeconds;
-  expect_refused("Date,Time,a\n1,2,3\n", {"'time' has two columns", "--time-unit iso"});
+  expect_refused("Date,Time,a\n1,2,3\n", {"'time' has two columns", "time_unit = \"iso\""});
 }
 
 TEST_F(CsvTimesOfAFile, MustHaveOneForm) {
@@ -83,21 +83,22 @@ TEST_F(CsvTimesOfAFile, MustHaveOneForm) {
   expect_refused("t,a\n2025-04-17T17:00Z,1\n2025-04-17T18:00,2\n",
                  {"x.csv:3:1: '2025-04-17T18:00' in column 't' has no time zone, unlike"});
   expect_refused("t,a\n17:00,1\n2025-04-17T18:00,2\n", {"x.csv:3:1: ", "has a date, unlike"});
-  expect_refused("t,a\n23:59,1\n00:00,2\n", {"the time decreases", "--time Date,Time"});
+  expect_refused("t,a\n23:59,1\n00:00,2\n", {"the time decreases", "the column of the date"});
 }
 
 TEST_F(CsvTimesOfAFile, AreExplainedWhereTheyAreNoTimes) {
-  expect_refused(
-      "t,a\n2025-04-17T17:00:08.00,1\n",
-      {"x.csv:2:1: '2025-04-17T17:00:08.00' in column 't' is not a time in s", "--time-unit iso"});
+  expect_refused("t,a\n2025-04-17T17:00:08.00,1\n",
+                 {"x.csv:2:1: '2025-04-17T17:00:08.00' in column 't' is not a time in s",
+                  "time_unit = \"iso\""});
   expect_refused("t,a\n17.04.2025 17:00,1\n", {"is not a time in s", "frame['t'] = pandas"});
   expect_refused("t,a\n,1\n", {"x.csv:2:1: the time in column 't' is missing"});
   expect_refused("t,a\ninf,1\n", {"x.csv:2:1: 'inf' in column 't' is not a finite number"});
-  expect_refused("t;a\n0,5;1\n", {"'0,5' in column 't' is not a time in s", "--decimal comma"});
+  expect_refused("t;a\n0,5;1\n", {"'0,5' in column 't' is not a time in s", "read decimal commas"});
   plan_.trials.missing = MissingValues::kMask;
   expect_refused("t,a\nNA,1\n", {"the time in column 't' is missing", "remove the row"});
   plan_.trials.time_unit = TimeUnit::kIso;
-  expect_refused("t,a\n1713373208,1\n", {"is not a time in ISO 8601", "--time-unit s, ms"});
+  expect_refused("t,a\n1713373208,1\n",
+                 {"is not a time in ISO 8601", "the unit of the numbers, s, ms"});
   expect_refused("t,a\n17/04/2025 17:00,1\n", {"is not a time in ISO 8601", "pandas.to_datetime"});
   for (const std::string& text : {"2025-04-17T17:00", "17.04.2025", "1e400", "x"}) {
     EXPECT_EQ(refusal("t,a\n" + text + ",1\n").find("'ignore'"), std::string::npos)
@@ -105,7 +106,7 @@ TEST_F(CsvTimesOfAFile, AreExplainedWhereTheyAreNoTimes) {
   }
   plan_.trials.time = {"d", "t"};
   expect_refused("d,t,a\n2025-04-17,05:00 PM,1\n", {"to_datetime(frame['d'] + ' ' + frame['t'], ",
-                                                    "import 'd' with --time-unit iso"});
+                                                    "import 'd' with time_unit = \"iso\""});
 }
 
 TEST_F(CsvTimesOfAFile, AreRefusedBefore2000BesideLaterOnes) {
@@ -128,8 +129,8 @@ TEST_F(CsvTimesOfAFile, AreRefusedBefore2000BesideLaterOnes) {
 TEST_F(CsvTimesOfAFile, AreRefusedInAUnitThatIsTooLarge) {
   expect_refused("t,a\n1700000000000,1\n",
                  {"x.csv:2:1: '1700000000000' in column 't' is a time after the year 2100 in the "
-                  "unit s; import with --time-unit ms"});
-  expect_refused("t,a\n1700000000000000000,1\n", {"--time-unit ns"});
+                  "unit s; import with time_unit = \"ms\""});
+  expect_refused("t,a\n1700000000000000000,1\n", {"time_unit = \"ns\""});
   EXPECT_EQ(refusal("t,a\n5e9,1\n"), "none") << "no unit makes it a time of the epoch";
   plan_.trials.time_unit = TimeUnit::kMicroseconds;
   EXPECT_EQ(refusal("t,a\n1700000000000000,1\n"), "none");

@@ -47,8 +47,8 @@ TEST_F(CsvTrialReader, RefusesColumnsWithoutNames) {
   for (const char* text : {",a,b\n0,1,2\n", "  ,a,b\n0,1,2\n", "Unnamed: 0,a,b\n0,1,2\n"}) {
     EXPECT_EQ(error_for(text),
               "x_1.csv:1: column 1 has no name; usually this is the index of pandas or the row "
-              "names of R: write the table without it (index=False, row.names=FALSE), or use "
-              "--ignore 1 (key 'ignore')");
+              "names of R: write the table without it (index=False, row.names=FALSE), or "
+              "list 1 under 'ignore'");
   }
   EXPECT_NE(error_for("a,b,\n1,2,\n").find("column 3 has no name; a separator ends the line"),
             std::string::npos);
@@ -59,7 +59,7 @@ TEST_F(CsvTrialReader, RefusesColumnsWithoutNames) {
             std::string::npos);
   EXPECT_NE(error_for(",a,b,1\n0,1,2,3\n").find("'(column 1)', '1'; assign"), std::string::npos);
   plan_.channels[0].columns = {"a", "1"};
-  EXPECT_NE(error_for(",a,1\n0,1,2\n").find("use --ignore '(column 1)' (key"), std::string::npos)
+  EXPECT_NE(error_for(",a,1\n0,1,2\n").find("list '(column 1)' under"), std::string::npos)
       << "1 is the name of another column";
   plan_.channels = {channel_of("touch", {"*"})};
   EXPECT_NE(error_for(",a,b\n0,1,2\n").find("column 1 has no name"), std::string::npos)
@@ -105,7 +105,7 @@ TEST_F(CsvTrialReader, ReadsDecimalCommas) {
   EXPECT_EQ(import()->explorations[1].channels[1].frames, matrix(1, {2.5}))
       << "names of files have points";
   plan_.trials.decimal = DecimalMark::kPoint;
-  EXPECT_NE(error_for("a;b\n1,5;2\n").find("use --decimal comma"), std::string::npos);
+  EXPECT_NE(error_for("a;b\n1,5;2\n").find("read decimal commas"), std::string::npos);
 }
 
 TEST_F(CsvTrialReader, ReadsTheLineOfSpreadsheets) {

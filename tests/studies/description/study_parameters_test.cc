@@ -142,7 +142,7 @@ TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
                        "study.toml:3: a protocol is listed twice; list each protocol once");
   expect_study_refused(
       study + "protocols = [\"test_data\"]\n" + module,
-      "study.toml:3: 'test_data' cannot be selected as a protocol; run the study with --test-data "
+      "study.toml:3: 'test_data' cannot be selected as a protocol; give the study a test recording "
       "instead");
   expect_study_refused(study + "protocols = [\"leave_group_out\"]\n" + module,
                        "study.toml:3: leave_group_out needs labels that define the groups; add "

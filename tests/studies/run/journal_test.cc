@@ -170,7 +170,7 @@ TEST_F(JournalFile, OfAnotherStudyIsRefused) {
   const auto other = Journal::open(path(), kStudy + "with other settings");
   ASSERT_FALSE(other);
   EXPECT_EQ(other.error().kind, ErrorKind::kUsage);
-  EXPECT_NE(other.error().advice.find("use another --out"), std::string::npos);
+  EXPECT_NE(other.error().advice.find("use another folder"), std::string::npos);
   EXPECT_TRUE(bytes_of(path()) == bytes);
 }
 
@@ -193,7 +193,7 @@ TEST_F(JournalFile, SaysWhenItCannotBeWritten) {
   ASSERT_FALSE(added);
   EXPECT_EQ(added.error().kind, ErrorKind::kSystem);
   EXPECT_EQ(added.error().where, missing);
-  EXPECT_NE(added.error().advice.find("--out"), std::string::npos);
+  EXPECT_NE(added.error().advice.find("choose a writable folder"), std::string::npos);
 }
 
 TEST_F(JournalFile, IsWrittenByThreadsLineByLine) {

@@ -87,7 +87,10 @@ void expect_as_evaluated(const std::string& text, std::uint64_t seed) {
     for (std::size_t frame = 0; frame < frames; ++frame) {
       ASSERT_TRUE(live.step(frame_of(live, recording, exploration, frame)));
       const Signal input = seen(system, cut(recording, frame + 1), map, exploration);
-      EXPECT_EQ(live.winner().value(), som_of(system, map)->winner(input.view(), workspace));
+      const Som& som = *som_of(system, map);
+      const std::vector<std::size_t> some{0, som.neurons() / 2, som.neurons() - 1};
+      EXPECT_EQ(live.winner().value(), som.winner(input.view(), workspace));
+      EXPECT_EQ(live.winner_among(some).value(), som.winner_among(some, input.view(), workspace));
     }
   }
 }

@@ -1,0 +1,19 @@
+#include "base/text/flag_hint.h"
+
+#include <gtest/gtest.h>
+
+namespace somato {
+namespace {
+
+TEST(FlagHint, IsEmptyUnlessMessagesNameFlags) {
+  EXPECT_EQ(flag_hint("skip", "1"), "");
+  name_flags_in_messages(true);
+  const std::string with_value = flag_hint("skip", "1,3");
+  const std::string without = flag_hint("definitions");
+  name_flags_in_messages(false);
+  EXPECT_EQ(with_value, " (--skip 1,3)");
+  EXPECT_EQ(without, " (--definitions)");
+}
+
+}  // namespace
+}  // namespace somato
