@@ -96,7 +96,7 @@ void print_list(std::size_t scale) {
         R"("radius_end": {}, "learning_rate_start": {}, "learning_rate_end": {}}})",
         separator, w.name, w.samples, w.features, *p.rows, *p.columns,
         p.lattice == Lattice::kHexagonal, w.is_batch(), w.kind == DataKind::kSparse, p.steps(),
-        stored_elements(w), *p.radius_start, p.radius_end, p.learning_rate_start,
+        stored_elements(w), *p.radius_start, *p.radius_end, p.learning_rate_start,
         p.learning_rate_end);
     separator = ",\n ";
   }

@@ -30,8 +30,9 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     Training, ``predict`` and ``transform`` release the interpreter's lock, and Ctrl-C stops them.
 
     Args:
-        rows: Rows of the map.
-        columns: Columns of the map.
+        rows: Rows of the map; None: about 10 sqrt(samples) neurons in an approximately square map, with 100
+            iterations per neuron and a final radius of 0.5, unless these are given.
+        columns: Columns of the map; None: as for rows.
         random_state: The seed of the initial weights and draws: a whole number, which gives the same map
             each time; or a RandomState or Generator of numpy, or None for numpy's own, from which each
             training draws another seed.
@@ -60,11 +61,11 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
             model files and pickles contain it.
     """
 
-    def __init__(self, rows=15, columns=15, *, lattice="rectangular", topology="plane",
+    def __init__(self, rows=None, columns=None, *, lattice="rectangular", topology="plane",
                  similarity="euclidean", normalize_input=None, initial_weights="range",
                  training="online", iterations=None, epochs=20, draws="with_replacement",
                  neighbourhood="gaussian", radius_schedule="linear", radius_start=None,
-                 radius_end=1.0, radius_reached_at=None, learning_rate_schedule="linear",
+                 radius_end=None, radius_reached_at=None, learning_rate_schedule="linear",
                  learning_rate_start=0.3, learning_rate_end=0.02, learning_rate_reached_at=None,
                  arithmetic="automatic", softmax="power", softmax_exponent=10.0,
                  activity_norm="maximum", random_state=1, seed=None, missing="refuse",

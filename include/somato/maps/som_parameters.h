@@ -114,7 +114,7 @@ struct SomParameters {
   NeighbourhoodShape neighbourhood = NeighbourhoodShape::kGaussian;
   ScheduleShape radius_schedule = ScheduleShape::kLinear;
   std::optional<double> radius_start;
-  double radius_end = 1.0;
+  std::optional<double> radius_end;
   std::optional<std::uint64_t> radius_reached_at;
   ScheduleShape learning_rate_schedule = ScheduleShape::kLinear;
   double learning_rate_start = 0.3;
@@ -139,7 +139,7 @@ struct SomParameters {
 
   /// The schedules; only after resolve().
   Schedule radius() const {
-    return {radius_schedule, *radius_start, radius_end, *radius_reached_at};
+    return {radius_schedule, *radius_start, *radius_end, *radius_reached_at};
   }
   Schedule learning_rate() const {
     return {learning_rate_schedule, learning_rate_start, learning_rate_end,

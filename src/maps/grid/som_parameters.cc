@@ -80,8 +80,9 @@ const Declarations<SomParameters>& SomParameters::declarations() {
   static const auto declared =
       Declarations<P>()
           .add("rows", &P::rows, "neurons", Range::between(1, 1 << 24),
-               "Rows of the map; must be even on a hexagonal torus. Automatic: about 5 "
-               "sqrt(samples) neurons in an approximately square map (Vesanto and others 2000).")
+               "Rows of the map; must be even on a hexagonal torus. Automatic: about 10 "
+               "sqrt(samples) neurons in an approximately square map, between the normal and the "
+               "big maps of Vesanto and others (2000); docs/decisions/0040-automatic-size.md.")
           .add("columns", &P::columns, "neurons", Range::between(1, 1 << 24),
                "Columns of the map. Automatic: as for rows.")
           .add("lattice", &P::lattice, "", Range::any(),
@@ -103,7 +104,7 @@ const Declarations<SomParameters>& SomParameters::declarations() {
                "training, with all samples in each epoch.")
           .add("iterations", &P::iterations, "samples drawn", Range::between(0, 1e15),
                "Length of online training; automatic: 2000 as in P11, or 10 per sample if that is "
-               "more; 500 per neuron (Kohonen 1990) if the map's size is automatic.")
+               "more; 100 per neuron if the map's size is automatic.")
           .add("epochs", &P::epochs, "passes over all samples", Range::between(0, 1e9),
                "Length of batch training.")
           .add("draws", &P::draws, "", Range::any(),
@@ -117,7 +118,8 @@ const Declarations<SomParameters>& SomParameters::declarations() {
                "longer side of the map. P11 gives 15 for the texture map, and the "
                "whole map for hardness.")
           .add("radius_end", &P::radius_end, "neurons", Range::at_least(0),
-               "Neighbourhood radius at the end. About 1 in P11.")
+               "Neighbourhood radius at the end; automatic: 1 as in P11, or 0.5 if the map's size "
+               "is automatic.")
           .add("radius_reached_at", &P::radius_reached_at, "iterations or epochs",
                Range::between(1, 1e15),
                "Iteration or epoch at which the radius reaches its final value, which it then "
@@ -155,7 +157,7 @@ const Declarations<SomParameters>& SomParameters::declarations() {
 void decide_size(SomParameters& parameters, std::size_t samples) {
   auto& p = parameters;
   if (!p.is_size_automatic()) return;
-  const double neurons = 5.0 * std::sqrt(static_cast<double>(samples));
+  const double neurons = 10.0 * std::sqrt(static_cast<double>(samples));
   const auto at_least_one = [](double side) {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(side)));
   };
@@ -166,7 +168,9 @@ void decide_size(SomParameters& parameters, std::size_t samples) {
     if (must_be_even) *p.rows += *p.rows % 2;
   }
   if (!p.columns) p.columns = at_least_one(neurons / static_cast<double>(*p.rows));
-  constexpr std::uint64_t kIterations = 500;  // a neuron
+  constexpr std::uint64_t kIterations = 100;  // a neuron
+  constexpr double kRadiusEnd = 0.5;          // neighbours then learn an eighth of the winner
+  p.radius_end = p.radius_end.value_or(kRadiusEnd);
   p.iterations = p.iterations.value_or(kIterations * *p.rows * *p.columns);
 }
 
@@ -178,6 +182,7 @@ Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std
   p.normalize_input = p.normalize_input.value_or(p.similarity == Similarity::kDotProduct);
   p.iterations = p.iterations.value_or(std::max<std::uint64_t>(2000, 10 * samples));
   p.radius_start = p.radius_start.value_or(longer_side / 2.0);
+  p.radius_end = p.radius_end.value_or(1.0);
   p.radius_reached_at = p.radius_reached_at.value_or(std::max<std::uint64_t>(1, p.steps()));
   p.learning_rate_reached_at =
       p.learning_rate_reached_at.value_or(std::max<std::uint64_t>(1, p.steps()));

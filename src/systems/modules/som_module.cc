@@ -62,7 +62,7 @@ Table SomModule::decide(const std::vector<Connection>& inputs, const RecordingLa
   if (!parameters_.is_size_automatic() || samples == 0) return {};
   decide_size(parameters_, samples);
   Table decided;
-  for (const char* name : {"rows", "columns", "iterations"}) {
+  for (const char* name : {"rows", "columns", "iterations", "radius_end"}) {
     if (!reason_without_effect(parameters_, name).empty()) continue;
     decided.entries.push_back(
         {name, {}, SomParameters::declarations().find(name)->read(parameters_)});

@@ -101,17 +101,18 @@ SomParameters decided(SomParameters parameters, std::size_t samples) {
   return parameters;
 }
 
-// 5 sqrt(n) by hand: 316 samples 88.9 neurons, 10000 samples 500.
+// 10 sqrt(n) by hand: 316 samples 177.8 neurons, 10000 samples 1000.
 TEST(MapSize, FollowsTheNumberOfSamples) {
   const SomParameters few = decided(automatic(), 316);
-  EXPECT_EQ(few.rows, 9U);
-  EXPECT_EQ(few.columns, 10U);
-  EXPECT_EQ(few.iterations, 45000U);
+  EXPECT_EQ(few.rows, 13U);
+  EXPECT_EQ(few.columns, 14U);
+  EXPECT_EQ(few.iterations, 18200U);
+  EXPECT_EQ(few.radius_end, 0.5);
   const SomParameters many = decided(automatic(), 10000);
-  EXPECT_EQ(many.rows, 22U);
-  EXPECT_EQ(many.columns, 23U);
+  EXPECT_EQ(many.rows, 32U);
+  EXPECT_EQ(many.columns, 31U);
   const SomParameters one = decided(automatic(), 1);
-  EXPECT_EQ(one.rows, 2U);
+  EXPECT_EQ(one.rows, 3U);
   EXPECT_EQ(one.columns, 3U);
 }
 
@@ -120,7 +121,7 @@ TEST(MapSize, LeavesWhatIsGiven) {
   parameters.columns = 30;
   parameters.iterations = 7;
   const SomParameters wide = decided(parameters, 316);
-  EXPECT_EQ(wide.rows, 3U);
+  EXPECT_EQ(wide.rows, 6U);
   EXPECT_EQ(wide.columns, 30U);
   EXPECT_EQ(wide.iterations, 7U);
   SomParameters given;
@@ -128,13 +129,18 @@ TEST(MapSize, LeavesWhatIsGiven) {
   const SomParameters fixed = decided(given, 316);
   EXPECT_EQ(fixed.rows, 15U);
   EXPECT_FALSE(fixed.iterations.has_value()) << "2000, as in P11, is decided later";
+  EXPECT_FALSE(fixed.radius_end.has_value());
+  EXPECT_EQ(resolve(given, 316, 3)->radius_end, 1.0);
 }
 
 TEST(MapSize, HasEvenRowsOnAHexagonalTorus) {
   SomParameters parameters = automatic();
   parameters.lattice = Lattice::kHexagonal;
   parameters.topology = Topology::kTorus;
-  EXPECT_EQ(decided(parameters, 316).rows, 10U);
+  EXPECT_EQ(decided(parameters, 316).rows, 14U);
+  SomParameters odd = parameters;
+  odd.rows = 3;
+  EXPECT_FALSE(resolve(odd, 316, 3));
   EXPECT_TRUE(resolve(parameters, 316, 3));
 }
 

@@ -158,7 +158,7 @@ TEST(Som, AnswersTheSameToSparseAndDenseInputs) {
 }
 
 TEST(Som, RefusesInputsOfAnotherSize) {
-  const Som som(resolve({}, 1, 2).value(), Matrix<float>(6, 2));
+  const Som som(resolve({}, 1, 2).value(), Matrix<float>(9, 2));
   SomWorkspace workspace;
   const std::vector<float> input(3);
   EXPECT_THROW((void)som.winner(SignalView::dense(input), workspace), InvalidArgument);
