@@ -1,12 +1,13 @@
 #include "somato/simulation/simulated_explorer.h"
 
-#include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
 #include <utility>
 
+#include "bodies/body/exploration_source.h"
 #include "bodies/explorers/hand_explorers.h"
 #include "bodies/explorers/probe_explorers.h"
+#include "bodies/objects/built_in_things.h"
 
 namespace somato {
 
@@ -49,8 +50,9 @@ Result<std::unique_ptr<SimulatedExplorer>> simulated_explorer(ExploringBody body
                                                               const ExploringParameters& parameters,
                                                               std::uint64_t seed,
                                                               GraspPictures* pictures) {
-  const std::string source =
-      fmt::format("{}, simulated ({}), seed {}", choice_name(body), physics_engine(), seed);
+  const std::string source = simulated_source(
+      choice_name(body), physics_engine(), seed,
+      are_built_in(things) ? SimulatedThings::kBuiltIn : SimulatedThings::kGiven);
   detail::ExplorerSetup setup{parameters, seed, source, pictures};
   switch (body) {
     case ExploringBody::kLucs2:

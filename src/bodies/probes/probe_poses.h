@@ -6,8 +6,8 @@
 
 namespace somato {
 
-/// Plays the recordings of one or both probes on a slab with the colour of the label `material`;
-/// grey if it is missing or unknown. Returns nullptr for explorations without any of the channels
+/// Plays the recordings of one or both probes on a slab with the colour of the label `material` if a
+/// simulated probe explored built-in materials (is_of_built_in_things()), else on a grey one. Returns nullptr for explorations without any of the channels
 /// of the probes: `sound` and `potentiometer`, with one element in counts; the sound must have the
 /// probe's rate, since other sensors record sound as well.
 ///

@@ -169,7 +169,7 @@ class ReportWriter {
          {"graph", graph_or_null(evidence)},
          {"grid", std::move(grid)},
          {"samples", detail::samples_json(evidence)},
-         {"things", detail::things_json(evidence, sources_.things)},
+         {"things", detail::things_json(evidence, sources_)},
          {"not_given", detail::not_given_json(part.parameters)},
          {"trained", std::move(trained)},
          {"moments", moments_.numbers(evidence, is_as_it_stands(part))},

@@ -50,7 +50,8 @@ struct ReportSources {
   std::function<Result<ReportModel>(const std::string& results, const ModelFile& model)> model;
   std::string named_recordings =
       {};  ///< The path in which the user searched for them; empty: none.
-  std::vector<ReportThing> things;
+  std::vector<ReportThing> things;  ///< Those that the user describes.
+  std::vector<ReportThing> built_in_things;  ///< Those of the simulated bodies' tables.
   std::map<std::string, std::string>
       units;  ///< The units of settings, such as "explore.simulation.noise".
   std::size_t threads = 1;

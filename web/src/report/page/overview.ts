@@ -7,7 +7,7 @@ import { handMap } from "../../parts/hands/hand_map";
 import { labelsPicture } from "../../parts/maps/map_labels";
 import { capital, countOf } from "../../parts/numbers";
 import { figure } from "../../parts/figure";
-import { commonScale, thingPicture } from "../../parts/hands/thing_picture";
+import { commonScale, hasPicture, thingPicture } from "../../parts/hands/thing_picture";
 import { fitting } from "./fitting";
 import { galleryOf } from "../tables/gallery";
 import { groupsOf, questionsOf } from "./groups";
@@ -108,7 +108,7 @@ function handOf(system: SystemReport): Child {
 const kThingSize = 56;
 
 function thingsOf({ things }: SystemReport): Child {
-  const shown = things.filter(({ shape, material, colour }) => shape !== null || material !== "" || colour !== null);
+  const shown = things.filter(hasPicture);
   if (shown.length === 0) return null;
   const scale = commonScale(shown, kThingSize);
   const items = shown.map((thing) => {
