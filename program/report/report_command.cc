@@ -84,6 +84,7 @@ Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& f
                               [&](const std::string& results, const ModelFile& model) {
                                 return load_model(results, model, named);
                               },
+                              [&](const std::string& hash) { return recordings.path(hash); },
                               arguments.has("data") ? arguments.text("data") : "",
                               things_in(objects),
                               built_in_things(),

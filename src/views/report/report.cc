@@ -16,6 +16,7 @@
 #include "views/report/packed_json.h"
 #include "views/report/part_settings.h"
 #include "views/report/samples_json.h"
+#include "views/report/summary_json.h"
 #include "views/report/trained_json.h"
 
 namespace somato {
@@ -26,11 +27,13 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 2;
 
 // As in results.json, each run with its recording, without what only verdicts are made of.
-Json protocols_json(const PartResults& part) {
+Json protocols_json(const detail::Evidence& evidence) {
+  const PartResults& part = *evidence.part;
   Json json = Json::array();
   for (const ProtocolResults& protocol : part.protocols) {
     Json one = detail::protocol_json(protocol);
     for (Json& metric : one["metrics"]) metric.erase("of_each");
+    if (auto folds = detail::folds_of(evidence, protocol); !folds.empty()) one["folds"] = folds;
     for (std::size_t i = 0; i < protocol.runs.size(); ++i) {
       Json& run = one["runs"][i];
       run["recording"] = part.pairs[i].recording;
@@ -163,9 +166,10 @@ class ReportWriter {
          {"question", part.question},
          {"settings", detail::parameters_json(part.parameters)},
          {"data_hash", hash_of(evidence)},
+         {"summary", detail::summary_json(evidence, sources_)},
          {"recordings", names_json(part.recordings)},
          {"recording", evidence.recording ? Json(evidence.recording_number) : Json(nullptr)},
-         {"protocols", protocols_json(part)},
+         {"protocols", protocols_json(evidence)},
          {"graph", graph_or_null(evidence)},
          {"grid", std::move(grid)},
          {"samples", detail::samples_json(evidence)},
