@@ -37,6 +37,7 @@ std::vector<ReportThing> built_in_things() {
 
 std::vector<ReportThing> things_in(const ObjectTable& table) {
   std::vector<ReportThing> things;
+  things.reserve(table.objects.size());
   for (const Object& object : table.objects) things.push_back(thing_of(object));
   for (const Material& material : table.materials) things.push_back(thing_of(material));
   return things;

@@ -55,9 +55,9 @@ std::string main_metrics(const ProtocolResults& system) {
   for (const MetricInfo& info : metric_table()) {
     const Metric* metric = info.in_run_table ? system.find_metric(info.name) : nullptr;
     if (metric == nullptr) continue;
-    std::string row = fmt::format("  {:<20} {:<18} {:<10} {}", info.name, summary(*metric),
-                                  chance_of(system, info.name),
-                                  mean_of(system, "baseline_" + info.name));
+    std::string row =
+        fmt::format("  {:<20} {:<18} {:<10} {}", info.name, summary(*metric),
+                    chance_of(system, info.name), mean_of(system, "baseline_" + info.name));
     row.erase(row.find_last_not_of(' ') + 1);
     text += row + "\n";
   }

@@ -4,9 +4,9 @@
 #include <deque>
 #include <utility>
 
-#include "bodies/body/exploration_source.h"
 #include "bodies/hands/hand_poses.h"
 #include "bodies/objects/built_in_things.h"
+#include "bodies/objects/exploration_source.h"
 #include "bodies/probes/probe_poses.h"
 
 namespace somato {
@@ -32,8 +32,7 @@ Object nothing() {
 
 class RecordedScenes {
  public:
-  explicit RecordedScenes(std::vector<Object> own)
-      : own_(std::move(own)), nothing_(nothing()) {}
+  explicit RecordedScenes(std::vector<Object> own) : own_(std::move(own)), nothing_(nothing()) {}
 
   std::unique_ptr<ScenePlayer> find(const Exploration& exploration) {
     if (!is_of_body(exploration.source)) return nullptr;

@@ -4,10 +4,10 @@
 
 #include <utility>
 
-#include "bodies/body/exploration_source.h"
 #include "bodies/explorers/hand_explorers.h"
 #include "bodies/explorers/probe_explorers.h"
 #include "bodies/objects/built_in_things.h"
+#include "bodies/objects/exploration_source.h"
 
 namespace somato {
 
@@ -50,9 +50,9 @@ Result<std::unique_ptr<SimulatedExplorer>> simulated_explorer(ExploringBody body
                                                               const ExploringParameters& parameters,
                                                               std::uint64_t seed,
                                                               GraspPictures* pictures) {
-  const std::string source = simulated_source(
-      choice_name(body), physics_engine(), seed,
-      are_built_in(things) ? SimulatedThings::kBuiltIn : SimulatedThings::kGiven);
+  const std::string source =
+      simulated_source(choice_name(body), physics_engine(), seed,
+                       are_built_in(things) ? SimulatedThings::kBuiltIn : SimulatedThings::kGiven);
   detail::ExplorerSetup setup{parameters, seed, source, pictures};
   switch (body) {
     case ExploringBody::kLucs2:

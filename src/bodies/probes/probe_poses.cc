@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "bodies/body/exploration_source.h"
 #include "bodies/hands/played_frames.h"
+#include "bodies/objects/exploration_source.h"
 #include "bodies/probes/hardness_probe.h"
 #include "bodies/probes/probe_scene.h"
 #include "somato/bodies/explore_by.h"

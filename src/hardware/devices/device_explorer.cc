@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "bodies/body/driving.h"
-#include "bodies/body/exploration_source.h"
 #include "bodies/body/frame_log.h"
+#include "bodies/objects/exploration_source.h"
 #include "hardware/devices/device_io.h"
 
 namespace somato::devices {

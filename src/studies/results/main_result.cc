@@ -83,6 +83,7 @@ std::vector<Confusion> confusions(const ProtocolResults& protocol, std::size_t m
     }
   }
   std::vector<Confusion> all;
+  all.reserve(wrong.size());
   for (const auto& [classes, count] : wrong) {
     all.push_back({classes.first, classes.second, count, samples[classes.first]});
   }

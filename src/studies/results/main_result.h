@@ -14,7 +14,7 @@ struct MainResult {
   std::size_t protocol = 0;  ///< Its number in PartResults::protocols.
   double accuracy = 0.0;
   double deviation = 0.0;          ///< The standard deviation over the runs; 0 for a single one.
-  std::optional<double> baseline;  ///< Of the nearest neighbour; empty if it was not measured.
+  std::optional<double> baseline;  ///< That of the nearest neighbour; empty: not measured.
   double chance = 0.0;             ///< See accuracy_by_chance().
 };
 

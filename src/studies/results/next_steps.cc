@@ -60,9 +60,9 @@ class Proposals {
   static constexpr std::size_t kFew = 10;
 
   void add_other_code(bool is_near_chance) {
-    const std::string reason =
-        is_near_chance ? "The accuracy is hardly above chance"
-                       : "The nearest neighbour does not classify all samples either";
+    const std::string reason = is_near_chance
+                                   ? "The accuracy is hardly above chance"
+                                   : "The nearest neighbour does not classify all samples either";
     const bool is_suggested = part_.system == "suggested";
     steps_.push_back(
         {reason + ": the vectors are the reason, more than the map. " +
@@ -103,18 +103,21 @@ class Proposals {
     const auto most = confusions(protocol_, 1);
     const std::string model = files_.model.empty() ? "" : " --model " + word(files_.model);
     const std::string reason =
-        most.empty() ? std::string("Play the recording and see what the map makes of it.")
-                     : fmt::format("Play explorations of '{}' and '{}', and compare their readings.",
-                                   most[0].label, most[0].predicted);
-    steps_.push_back({reason, {fmt::format("somato view {}{}", word(files_.data), model)}, kOfLive});
+        most.empty()
+            ? std::string("Play the recording with the readings of the map.")
+            : fmt::format("Play explorations of '{}' and '{}', and compare their readings.",
+                          most[0].label, most[0].predicted);
+    steps_.push_back(
+        {reason, {fmt::format("somato view {}{}", word(files_.data), model)}, kOfLive});
   }
 
   void add_application() {
     if (files_.model.empty()) return;
-    steps_.push_back({"Classify new explorations by the saved system, in a file of your own "
-                      "instead of this recording.",
-                      {fmt::format("somato apply {} {}", word(files_.model), word(files_.data))},
-                      ""});
+    steps_.push_back(
+        {"Classify new explorations by the saved system, in a file of your own "
+         "instead of this recording.",
+         {fmt::format("somato apply {} {}", word(files_.model), word(files_.data))},
+         ""});
   }
 
   const PartResults& part_;

@@ -20,9 +20,9 @@ struct NextStep {
   std::string page;  ///< A page of the documentation, such as "docs/suggest.md"; may be empty.
 };
 
-/// What to try next, from the most important: by the difference between accuracy, baseline and
-/// chance, the number of samples and the confusions. Empty for results of simulations that this
-/// project made, and without a main_result().
+/// Proposals for what to try next, the most important first: by the difference between accuracy,
+/// baseline and chance, the number of samples and the confusions. Empty for results of simulations
+/// that this project made, and without a main_result().
 std::vector<NextStep> next_steps(const PartResults& part, const ResultFiles& files);
 
 }  // namespace somato

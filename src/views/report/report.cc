@@ -12,7 +12,6 @@
 #include "views/report/evidence.h"
 #include "views/report/frame_curves.h"
 #include "views/report/moments_json.h"
-#include "views/report/not_given.h"
 #include "views/report/packed_json.h"
 #include "views/report/part_settings.h"
 #include "views/report/samples_json.h"

@@ -52,7 +52,7 @@ struct ReportSources {
   /// empty.
   std::function<std::string(const std::string& hash)> recording_path = {};
   std::string named_recordings =
-      {};  ///< The path in which the user searched for them; empty: none.
+      {};                           ///< The path in which the user searched for them; empty: none.
   std::vector<ReportThing> things;  ///< Those that the user describes.
   std::vector<ReportThing> built_in_things;  ///< Those of the simulated bodies' tables.
   std::map<std::string, std::string>

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bodies/body/exploration_source.h"
+#include "bodies/objects/exploration_source.h"
 #include "recordings/explorations/recording_json.h"
 #include "studies/results/short_number.h"
 

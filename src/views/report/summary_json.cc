@@ -14,10 +14,8 @@ constexpr std::size_t kMostConfusions = 3;
 Json confusions_json(const ProtocolResults& protocol) {
   Json json = Json::array();
   for (const Confusion& one : confusions(protocol, kMostConfusions)) {
-    json.push_back({{"label", one.label},
-                    {"predicted", one.predicted},
-                    {"count", one.count},
-                    {"of", one.of}});
+    json.push_back(
+        {{"label", one.label}, {"predicted", one.predicted}, {"count", one.count}, {"of", one.of}});
   }
   return json;
 }
@@ -25,8 +23,7 @@ Json confusions_json(const ProtocolResults& protocol) {
 Json next_json(const Evidence& evidence, const ReportSources& sources) {
   ResultFiles files;
   if (evidence.recording && sources.recording_path) {
-    files.data =
-        sources.recording_path(evidence.part->recordings[evidence.recording_number].hash);
+    files.data = sources.recording_path(evidence.part->recordings[evidence.recording_number].hash);
   }
   if (evidence.model) files.model = evidence.model->path;
   Json json = Json::array();

@@ -63,7 +63,8 @@ void add_winners(Evidence& evidence, std::size_t neurons, std::size_t threads, J
     json["hits"] = hits_json(*winners, neurons);
   } else {
     evidence.missing.push_back(
-        "The samples on the saved map are left out, because the trained system cannot be run on the recording (" +
+        "The samples on the saved map are left out, because the trained system cannot be run on "
+        "the recording (" +
         to_string(winners.error()) + ").");
   }
 }

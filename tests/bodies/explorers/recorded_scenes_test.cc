@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "bodies/body/exploration_source.h"
+#include "bodies/objects/exploration_source.h"
 #include "bodies/support/things.h"
 #include "somato/bodies/object_table.h"
 #include "somato/simulation/simulated_explorer.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bodies/body/exploration_source.h"
+#include "bodies/objects/exploration_source.h"
 #include "bodies/objects/material_colour.h"
 #include "somato/simulation/simulated_explorer.h"
 

@@ -15,7 +15,7 @@ ProtocolResults protocol(const std::string& name, double accuracy, double baseli
   return results;
 }
 
-// Of the samples 2/4, 1/4 and 1/4 have the classes, which 1/4, 3/4 and none of the predictions are.
+// The classes have 2/4, 1/4 and 1/4 of the samples, and 1/4, 3/4 and none of the predictions.
 TEST(MainResult, TheChanceIsThatOfPredictionsInRandomOrder) {
   EXPECT_DOUBLE_EQ(*accuracy_by_chance(protocol("k_folds", 0.5, 0.5)), 2.0 / 16 + 3.0 / 16);
   EXPECT_FALSE(accuracy_by_chance({}));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/support/json_schema.h"
-#include "bodies/body/exploration_source.h"
+#include "bodies/objects/exploration_source.h"
 #include "views/report/three_explorations.h"
 
 namespace somato {
@@ -77,8 +77,7 @@ TEST_F(SamplesJson, WithoutARecordingTheResultsStateWhatExplored) {
   evidence_.recording = nullptr;
   results_.protocols[0].runs = {{1, {0}, {"ball"}, {"ball"}, {}}};
   EXPECT_TRUE(things_of(evidence_, knowing({}, {ball}))[0]["mass"].is_null());
-  results_.recordings[0].source =
-      simulated_source("lucs2", "engine", 1, SimulatedThings::kBuiltIn);
+  results_.recordings[0].source = simulated_source("lucs2", "engine", 1, SimulatedThings::kBuiltIn);
   EXPECT_EQ(things_of(evidence_, knowing({}, {ball}))[0]["mass"], 0.4);
 }
 

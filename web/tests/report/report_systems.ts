@@ -11,7 +11,7 @@ import { fields, handGraph, planes, trained } from "./report_trained";
 const kRectangular: GridData = { rows: 15, columns: 15, lattice: "rectangular", topology: "plane" };
 const kHexagonal: GridData = { rows: 10, columns: 12, lattice: "hexagonal", topology: "torus" };
 
-/** Of the first protocol. */
+/** A summary of the second protocol. */
 function summary(): SystemReport["summary"] {
   return {
     protocol: 1,

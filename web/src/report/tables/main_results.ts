@@ -99,13 +99,13 @@ function summaryOfOne(system: SystemReport): string {
   return `${systemName(system)} identifies ${parts.join(", and ")}${runs > 1 ? `; means over ${runs} runs` : ""}.${confusionWords(system)}`;
 }
 
-/** What is named instead of what most often. */
+/** The most frequent confusions. */
 function confusionWords({ summary, protocols }: SystemReport): string {
   const runs = protocols[summary?.protocol ?? 0]?.runs.length ?? 1;
-  const most = (summary?.confusions ?? []).map(({ label, predicted, count, of }) => `${words(label)} named ${words(predicted)} (${count} of ${of})`);
+  const most = (summary?.confusions ?? []).map(({ label, predicted, count, of }) => `${words(label)} named ${words(predicted)} (${count} of ${of} samples)`);
   if (most.length === 0) return "";
-  const verb = most.length === 1 ? "confusion is" : "confusions are";
-  return ` The most frequent ${verb} ${listed(most)}${runs > 1 ? " samples over all runs" : " samples"}.`;
+  const [noun, verb] = most.length === 1 ? ["confusion", "is"] : ["confusions", "are"];
+  return ` The most frequent ${noun}${runs > 1 ? ", counted over all runs," : ""} ${verb} ${listed(most)}.`;
 }
 
 const listed = (all: string[]) => (all.length === 1 ? all[0]! : `${all.slice(0, -1).join(", ")} and ${all.at(-1)!}`);

@@ -1,4 +1,4 @@
-#include "bodies/body/exploration_source.h"
+#include "bodies/objects/exploration_source.h"
 
 #include <fmt/format.h>
 
