@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/files/whole_file.h"
+#include "explore/exploring_body.h"
 #include "flags/output.h"
 #include "report/model_files.h"
 #include "report/pages.h"
@@ -77,14 +78,16 @@ Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& f
   SOMATO_TRY(const auto threads, read_threads(arguments));
   SOMATO_TRY(const auto named, named_model(arguments));
   SOMATO_TRY(auto recordings, recordings_for(arguments, files));
-  SOMATO_TRY(auto things, report_things());
+  SOMATO_TRY(const auto objects, read_objects(arguments));
   const ReportSources sources{SOMATO_VERSION,
                               [&](const std::string& hash) { return recordings.find(hash); },
                               [&](const std::string& results, const ModelFile& model) {
                                 return load_model(results, model, named);
                               },
+                              [&](const std::string& hash) { return recordings.path(hash); },
                               arguments.has("data") ? arguments.text("data") : "",
-                              std::move(things),
+                              things_in(objects),
+                              built_in_things(),
                               explore_units(),
                               threads};
   return make_report(files, sources);
@@ -120,6 +123,9 @@ std::vector<Flag> report_source_flags() {
                      "sets, or a table"),
           input_flag("--model",
                      "The trained system that RESULTS name, if it is no longer in their folder"),
+          input_flag("--objects",
+                     "TOML file with the objects and materials that were explored, for their "
+                     "pictures and properties"),
           threads_flag()};
 }
 

@@ -66,6 +66,14 @@ std::shared_ptr<const Recording> ReportRecordings::find(const std::string& hash)
   return {};
 }
 
+std::string ReportRecordings::path(const std::string& hash) const {
+  const auto known = known_.find(hash);
+  if (known == known_.end()) return {};
+  const auto& path = given_[known->second.given].path(known->second.number);
+  const auto inside = path.lexically_proximate(std::filesystem::current_path());
+  return path.is_absolute() && !inside.string().starts_with("..") ? inside.string() : path.string();
+}
+
 Result<std::string> ReportRecordings::look_at(Place place) {
   SOMATO_TRY(auto kept, given_[place.given].get(place.number));
   known_.emplace(kept->info.hash, place);

@@ -36,6 +36,9 @@ class ReportRecordings {
   /// The recording with that content_hash(), or nullptr.
   std::shared_ptr<const Recording> find(const std::string& hash);
 
+  /// The path of a recording that find() has found, as a command in the working folder names it.
+  std::string path(const std::string& hash) const;
+
  private:
   struct Place {
     std::size_t given;

@@ -1,10 +1,8 @@
 #include "report/report_things.h"
 
-#include <utility>
-
+#include "bodies/objects/built_in_things.h"
 #include "bodies/objects/material_colour.h"
 #include "explore/explore_table.h"
-#include "somato/simulation/simulated_explorer.h"
 
 namespace somato::program {
 namespace {
@@ -31,20 +29,17 @@ ReportThing thing_of(const Material& material) {
           {}};
 }
 
-void append(const ObjectTable& table, std::vector<ReportThing>& things) {
-  for (const Object& object : table.objects) things.push_back(thing_of(object));
-  for (const Material& material : table.materials) things.push_back(thing_of(material));
-}
-
 }  // namespace
 
-Result<std::vector<ReportThing>> report_things() {
+std::vector<ReportThing> built_in_things() {
+  return things_in({built_in_objects(), declared_materials()});
+}
+
+std::vector<ReportThing> things_in(const ObjectTable& table) {
   std::vector<ReportThing> things;
-  for (const std::string& name : own_object_tables()) {
-    SOMATO_TRY(auto table, own_object_table(name, declared_materials()));
-    append(table, things);
-  }
-  append({{}, declared_materials()}, things);
+  things.reserve(table.objects.size());
+  for (const Object& object : table.objects) things.push_back(thing_of(object));
+  for (const Material& material : table.materials) things.push_back(thing_of(material));
   return things;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "studies/results/main_result.h"
 #include "studies/results/metric_table.h"
 #include "terminal/wording.h"
 
@@ -17,20 +18,14 @@ std::string summary(const Metric& metric) {
   return fmt::format("{:.3f} +- {:.3f}", metric.mean(), metric.standard_deviation());
 }
 
-// Advice is given for a map far below the nearest-neighbour baseline, except if it is tested on
-// its training data, where the nearest sample is the test sample.
 std::string advice(const ProtocolResults& system) {
-  constexpr double kMuch = 0.05;
-  const Metric* accuracy = system.find_metric("accuracy");
-  const Metric* baseline = system.find_metric("baseline_accuracy");
-  if (accuracy == nullptr || baseline == nullptr || system.protocol == "train_is_test") return {};
-  const double below = baseline->mean() - accuracy->mean();
-  if (below <= kMuch) return {};
+  const auto below = far_below_baseline(system);
+  if (!below) return {};
   return fmt::format(
       "  The map is {:.0f} points below the nearest known sample. More neurons, more iterations or "
       "a\n"
       "  standardization may help: docs/below-the-baseline.md.\n",
-      100 * below);
+      100 * *below);
 }
 
 std::string missing_accuracy(const ProtocolResults& system) {
@@ -46,6 +41,13 @@ std::string mean_of(const ProtocolResults& system, const std::string& name) {
   return metric == nullptr ? std::string() : fmt::format("{:.3f}", metric->mean());
 }
 
+// The level of a metric by chance.
+std::string chance_of(const ProtocolResults& system, const std::string& name) {
+  if (name != "accuracy") return mean_of(system, name + "_chance");
+  const auto chance = accuracy_by_chance(system);
+  return chance ? fmt::format("{:.3f}", *chance) : std::string();
+}
+
 // The main metrics, with their value by chance and the nearest-neighbour baseline.
 std::string main_metrics(const ProtocolResults& system) {
   std::string text =
@@ -53,9 +55,9 @@ std::string main_metrics(const ProtocolResults& system) {
   for (const MetricInfo& info : metric_table()) {
     const Metric* metric = info.in_run_table ? system.find_metric(info.name) : nullptr;
     if (metric == nullptr) continue;
-    std::string row = fmt::format("  {:<20} {:<18} {:<10} {}", info.name, summary(*metric),
-                                  mean_of(system, info.name + "_chance"),
-                                  mean_of(system, "baseline_" + info.name));
+    std::string row =
+        fmt::format("  {:<20} {:<18} {:<10} {}", info.name, summary(*metric),
+                    chance_of(system, info.name), mean_of(system, "baseline_" + info.name));
     row.erase(row.find_last_not_of(' ') + 1);
     text += row + "\n";
   }

@@ -49,6 +49,8 @@ struct Material {
 
   /// N/mm under a taxel's dome.
   double stiffness_under_taxel() const { return touch_stiffness.value_or(stiffness); }
+
+  bool operator==(const Material&) const = default;
 };
 
 /// The material described by `table`, with the keys of Material::declarations(). Errors (kUsage) of

@@ -34,6 +34,8 @@ struct Object {
                           ///< mass it is 0 until the mesh is read.
   std::string mesh_file;  ///< STL or OBJ, only of a mesh; an absolute path.
   double mesh_scale = 1.0;  ///< mm per unit of the file.
+
+  bool operator==(const Object&) const = default;
 };
 
 /// The object's volume in mm^3. Throws InvalidArgument for a mesh, which requires its file.

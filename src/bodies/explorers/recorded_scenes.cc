@@ -2,26 +2,15 @@
 
 #include <algorithm>
 #include <deque>
-#include <iterator>
-#include <optional>
 #include <utility>
 
 #include "bodies/hands/hand_poses.h"
+#include "bodies/objects/built_in_things.h"
+#include "bodies/objects/exploration_source.h"
 #include "bodies/probes/probe_poses.h"
-#include "somato/bodies/object_table.h"
 
 namespace somato {
 namespace {
-
-// The program's own come last.
-std::vector<Object> known_objects(std::vector<Object> own) {
-  for (const std::string& name : own_object_tables()) {
-    auto table = own_object_table(name, declared_materials());
-    if (!table) continue;
-    std::move(table->objects.begin(), table->objects.end(), std::back_inserter(own));
-  }
-  return own;
-}
 
 // Objects of others may have the same name. The trial is not a property of an object.
 bool is_contradicted(const Object& object, const Exploration& exploration) {
@@ -43,10 +32,10 @@ Object nothing() {
 
 class RecordedScenes {
  public:
-  explicit RecordedScenes(std::vector<Object> own)
-      : objects_(known_objects(std::move(own))), nothing_(nothing()) {}
+  explicit RecordedScenes(std::vector<Object> own) : own_(std::move(own)), nothing_(nothing()) {}
 
   std::unique_ptr<ScenePlayer> find(const Exploration& exploration) {
+    if (!is_of_body(exploration.source)) return nullptr;
     for (const Hand hand : {Hand::kLucs2, Hand::kLucs3}) {
       if (is_of_hand(exploration, hand)) return find(exploration, hand);
     }
@@ -63,15 +52,25 @@ class RecordedScenes {
 
   std::unique_ptr<ScenePlayer> find(const Exploration& exploration, Hand hand) {
     const bool taxels = static_cast<bool>(find_channel(exploration, "touch"));
-    const auto name = find_label(exploration, "object");
-    for (const Object& object : objects_) {
-      if (!name || object.name != *name) continue;
-      const HandScene* scene = built(hand, taxels, object);
-      if (scene == nullptr || is_contradicted(scene->object(), exploration)) continue;
-      return play_hand(*scene);
+    const HandScene* shown = with_object(own_, exploration, hand, taxels);
+    if (shown == nullptr && is_of_built_in_things(exploration.source)) {
+      shown = with_object(built_in_objects(), exploration, hand, taxels);
     }
+    if (shown != nullptr) return play_hand(*shown);
     const HandScene* empty = built(hand, taxels, nothing_);
     return empty != nullptr ? play_hand(*empty, false) : nullptr;
+  }
+
+  // The hand with the explored object, if it is one of `objects`, or nullptr.
+  const HandScene* with_object(const std::vector<Object>& objects, const Exploration& exploration,
+                               Hand hand, bool taxels) {
+    const auto name = find_label(exploration, "object");
+    for (const Object& object : objects) {
+      if (!name || object.name != *name) continue;
+      const HandScene* scene = built(hand, taxels, object);
+      if (scene != nullptr && !is_contradicted(scene->object(), exploration)) return scene;
+    }
+    return nullptr;
   }
 
   // Explorations of one thing follow each other, and people go back: to build a hand takes some
@@ -90,7 +89,7 @@ class RecordedScenes {
     return &built_.back().scene;
   }
 
-  std::vector<Object> objects_;
+  std::vector<Object> own_;
   Object nothing_;
   std::deque<Built> built_;  // the latest last
 };

@@ -1,12 +1,13 @@
 #include "somato/simulation/simulated_explorer.h"
 
-#include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
 #include <utility>
 
 #include "bodies/explorers/hand_explorers.h"
 #include "bodies/explorers/probe_explorers.h"
+#include "bodies/objects/built_in_things.h"
+#include "bodies/objects/exploration_source.h"
 
 namespace somato {
 
@@ -50,7 +51,8 @@ Result<std::unique_ptr<SimulatedExplorer>> simulated_explorer(ExploringBody body
                                                               std::uint64_t seed,
                                                               GraspPictures* pictures) {
   const std::string source =
-      fmt::format("{}, simulated ({}), seed {}", choice_name(body), physics_engine(), seed);
+      simulated_source(choice_name(body), physics_engine(), seed,
+                       are_built_in(things) ? SimulatedThings::kBuiltIn : SimulatedThings::kGiven);
   detail::ExplorerSetup setup{parameters, seed, source, pictures};
   switch (body) {
     case ExploringBody::kLucs2:

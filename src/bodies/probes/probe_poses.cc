@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bodies/hands/played_frames.h"
+#include "bodies/objects/exploration_source.h"
 #include "bodies/probes/hardness_probe.h"
 #include "bodies/probes/probe_scene.h"
 #include "somato/bodies/explore_by.h"
@@ -81,7 +82,9 @@ class ProbePlayer : public ScenePlayer {
 std::unique_ptr<ScenePlayer> play_probes(const Exploration& exploration) {
   const auto probe = probe_of(exploration);
   if (!probe) return nullptr;
-  return std::make_unique<ProbePlayer>(*probe, find_label(exploration, "material").value_or(""));
+  const auto material = find_label(exploration, "material").value_or("");
+  return std::make_unique<ProbePlayer>(
+      *probe, is_of_built_in_things(exploration.source) ? material : std::string());
 }
 
 }  // namespace somato

@@ -6,10 +6,11 @@
 
 namespace somato {
 
-/// Plays the recordings of one or both probes on a slab with the colour of the label `material`;
-/// grey if it is missing or unknown. Returns nullptr for explorations without any of the channels
-/// of the probes: `sound` and `potentiometer`, with one element in counts; the sound must have the
-/// probe's rate, since other sensors record sound as well.
+/// Plays the recordings of one or both probes on a slab with the colour of the label `material` if
+/// a simulated probe explored built-in materials (is_of_built_in_things()), else on a grey one.
+/// Returns nullptr for explorations without any of the channels of the probes: `sound` and
+/// `potentiometer`, with one element in counts; the sound must have the probe's rate, since other
+/// sensors record sound as well.
 ///
 /// The position of the stick is derived from its potentiometer, with the declared stroke and bits.
 /// No channel contains the angle of the lever; since a stroke has constant speed, the angle is

@@ -6,14 +6,15 @@
 
 #include "bodies/body/driving.h"
 #include "bodies/body/frame_log.h"
+#include "bodies/objects/exploration_source.h"
 #include "hardware/devices/device_io.h"
 
 namespace somato::devices {
 namespace {
 
-// The present readings as an exploration with the labels of `named`, of one frame.
+// The present readings as an exploration with labels and source of `named`, of one frame.
 Exploration as_exploration(const Body& body, const Exploration& named) {
-  Exploration present{named.labels, {}, {}};
+  Exploration present{named.labels, named.source, {}};
   const std::vector<ChannelDescription>& sensors = body.description().sensors;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     Channel channel = detail::empty_channel(sensors[i]);
@@ -42,7 +43,7 @@ ExploreOptions with_pauses(DeviceBody& body, const ExploreOptions& options,
 
 DeviceExplorer::DeviceExplorer(DeviceFile file, std::vector<ExploredThing> things,
                                DeviceExploring exploring, DeviceSurroundings surroundings)
-    : Explorer(std::move(things), fmt::format("device {}", file.settings.name)),
+    : Explorer(std::move(things), device_source(file.settings.name)),
       file_(std::move(file)),
       exploring_(std::move(exploring)),
       surroundings_(std::move(surroundings)),
@@ -169,7 +170,7 @@ Result<Exploration> DeviceExplorer::explore_thing(std::size_t thing, std::size_t
   SOMATO_TRY_VOID(place(thing, trial));
   const std::shared_ptr<void> watch = surroundings_.watch ? surroundings_.watch() : nullptr;
   SOMATO_TRY(DeviceBody* const started, body(options));
-  const Exploration named{labels(thing, trial), {}, {}};
+  const Exploration named{labels(thing, trial), device_source(file_.settings.name), {}};
   auto explored = explore_on(*started, named, options);
   if (explored) {
     explored->labels = named.labels;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,5 +14,9 @@ const Settings* find_part(const std::vector<Settings>& settings, const std::stri
 
 /// The type that the settings of a module name, or nullptr.
 const ModuleType* type_of(const Settings& module);
+
+/// Those of the parameters of modules that no paper gives, as a list of NotGiven of
+/// web/schema/report.json.
+nlohmann::ordered_json not_given_json(const std::vector<Settings>& parameters);
 
 }  // namespace somato::detail

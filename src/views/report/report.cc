@@ -12,10 +12,10 @@
 #include "views/report/evidence.h"
 #include "views/report/frame_curves.h"
 #include "views/report/moments_json.h"
-#include "views/report/not_given.h"
 #include "views/report/packed_json.h"
 #include "views/report/part_settings.h"
 #include "views/report/samples_json.h"
+#include "views/report/summary_json.h"
 #include "views/report/trained_json.h"
 
 namespace somato {
@@ -26,11 +26,13 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 2;
 
 // As in results.json, each run with its recording, without what only verdicts are made of.
-Json protocols_json(const PartResults& part) {
+Json protocols_json(const detail::Evidence& evidence) {
+  const PartResults& part = *evidence.part;
   Json json = Json::array();
   for (const ProtocolResults& protocol : part.protocols) {
     Json one = detail::protocol_json(protocol);
     for (Json& metric : one["metrics"]) metric.erase("of_each");
+    if (auto folds = detail::folds_of(evidence, protocol); !folds.empty()) one["folds"] = folds;
     for (std::size_t i = 0; i < protocol.runs.size(); ++i) {
       Json& run = one["runs"][i];
       run["recording"] = part.pairs[i].recording;
@@ -163,13 +165,14 @@ class ReportWriter {
          {"question", part.question},
          {"settings", detail::parameters_json(part.parameters)},
          {"data_hash", hash_of(evidence)},
+         {"summary", detail::summary_json(evidence, sources_)},
          {"recordings", names_json(part.recordings)},
          {"recording", evidence.recording ? Json(evidence.recording_number) : Json(nullptr)},
-         {"protocols", protocols_json(part)},
+         {"protocols", protocols_json(evidence)},
          {"graph", graph_or_null(evidence)},
          {"grid", std::move(grid)},
          {"samples", detail::samples_json(evidence)},
-         {"things", detail::things_json(evidence, sources_.things)},
+         {"things", detail::things_json(evidence, sources_)},
          {"not_given", detail::not_given_json(part.parameters)},
          {"trained", std::move(trained)},
          {"moments", moments_.numbers(evidence, is_as_it_stands(part))},

@@ -48,9 +48,13 @@ struct ReportSources {
   std::function<std::shared_ptr<const Recording>(const std::string& hash)> recording;
   /// Returns the trained system of the results at a path; may be empty.
   std::function<Result<ReportModel>(const std::string& results, const ModelFile& model)> model;
+  /// Returns the path of the recording with that content_hash(), as a command may name it; may be
+  /// empty.
+  std::function<std::string(const std::string& hash)> recording_path = {};
   std::string named_recordings =
-      {};  ///< The path in which the user searched for them; empty: none.
-  std::vector<ReportThing> things;
+      {};                           ///< The path in which the user searched for them; empty: none.
+  std::vector<ReportThing> things;  ///< Those that the user describes.
+  std::vector<ReportThing> built_in_things;  ///< Those of the simulated bodies' tables.
   std::map<std::string, std::string>
       units;  ///< The units of settings, such as "explore.simulation.noise".
   std::size_t threads = 1;

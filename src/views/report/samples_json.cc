@@ -4,8 +4,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "bodies/objects/exploration_source.h"
 #include "recordings/explorations/recording_json.h"
 #include "studies/results/short_number.h"
 
@@ -31,7 +33,30 @@ std::string studied_label(const Evidence& evidence) {
   return protocols.empty() ? std::string() : protocols.front().label;
 }
 
-std::vector<ReportThing> labelled_things(const Evidence& evidence) {
+bool agree(const std::string& labelled, const std::string& known) {
+  return labelled.empty() || known.empty() || labelled == known;
+}
+
+// An object of another source may have the same name: false if none of the known ones is this one.
+bool complete(ReportThing& thing, const std::vector<ReportThing>& known) {
+  for (const ReportThing& one : known) {
+    if (one.name != thing.name || !agree(thing.shape, one.shape) ||
+        !agree(thing.material, one.material) || !agree(thing.hardness, one.hardness)) {
+      continue;
+    }
+    thing = one;
+    return true;
+  }
+  return false;
+}
+
+// The things of the user, and the built-in ones if a simulated body explored them.
+void complete(ReportThing& thing, std::string_view source, const ReportSources& known) {
+  if (complete(thing, known.things) || !is_of_built_in_things(source)) return;
+  complete(thing, known.built_in_things);
+}
+
+std::vector<ReportThing> labelled_things(const Evidence& evidence, const ReportSources& known) {
   std::vector<ReportThing> things;
   const std::string label = studied_label(evidence);
   for (const std::size_t i : first_of_each(evidence)) {
@@ -41,40 +66,29 @@ std::vector<ReportThing> labelled_things(const Evidence& evidence) {
     thing.shape = label_or_nothing(exploration, "shape");
     thing.material = label_or_nothing(exploration, "material");
     thing.hardness = label_or_nothing(exploration, "hardness");
+    complete(thing, exploration.source, known);
     things.push_back(std::move(thing));
   }
   return things;
 }
 
 // Without a recording the classes are all there is, where they are things.
-std::vector<ReportThing> studied_things(const Evidence& evidence) {
+std::vector<ReportThing> studied_things(const Evidence& evidence, const ReportSources& known) {
   std::vector<ReportThing> things;
+  const auto& recordings = evidence.part->recordings;
+  const std::string source = recordings.empty() ? std::string() : recordings.front().source;
   std::set<std::string> seen;
   for (const ProtocolResults& protocol : evidence.part->protocols) {
     if (protocol.label != "object" && protocol.label != "material") continue;
     for (const Run& run : protocol.runs) {
       for (const std::string& name : run.labels) {
-        if (seen.insert(name).second) things.push_back({name, {}, {}, 0.0, {}, {}, {}, {}});
+        if (!seen.insert(name).second) continue;
+        things.push_back({name, {}, {}, 0.0, {}, {}, {}, {}});
+        complete(things.back(), source, known);
       }
     }
   }
   return things;
-}
-
-bool agree(const std::string& labelled, const std::string& known) {
-  return labelled.empty() || known.empty() || labelled == known;
-}
-
-// An object of another source may have the same name.
-void complete(ReportThing& thing, const std::vector<ReportThing>& known) {
-  for (const ReportThing& one : known) {
-    if (one.name != thing.name || !agree(thing.shape, one.shape) ||
-        !agree(thing.material, one.material) || !agree(thing.hardness, one.hardness)) {
-      continue;
-    }
-    thing = one;
-    return;
-  }
 }
 
 template <typename Array>
@@ -116,11 +130,10 @@ Json samples_json(const Evidence& evidence) {
   return json;
 }
 
-Json things_json(const Evidence& evidence, const std::vector<ReportThing>& known) {
+Json things_json(const Evidence& evidence, const ReportSources& known) {
   Json json = Json::array();
-  for (ReportThing& thing :
-       evidence.recording ? labelled_things(evidence) : studied_things(evidence)) {
-    complete(thing, known);
+  for (const ReportThing& thing :
+       evidence.recording ? labelled_things(evidence, known) : studied_things(evidence, known)) {
     json.push_back(thing_json(thing));
   }
   return json;

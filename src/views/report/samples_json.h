@@ -17,8 +17,9 @@ nlohmann::ordered_json samples_json(const Evidence& evidence);
 
 /// The things that were explored, as ThingData of web/schema/parts.json, in the order of their
 /// first appearance: by the labels of the recording, or without one by the classes in the results.
-/// Properties without a label are those of the entry in `known` with the same name that contradicts
-/// no label.
-nlohmann::ordered_json things_json(const Evidence& evidence, const std::vector<ReportThing>& known);
+/// Properties without a label are those of the thing of `known` with the same name that contradicts
+/// no label: one that the user describes, or a built-in one if the source of the exploration states
+/// that a simulated body explored it (is_of_built_in_things()).
+nlohmann::ordered_json things_json(const Evidence& evidence, const ReportSources& known);
 
 }  // namespace somato::detail

@@ -55,14 +55,16 @@ Json hits_json(const std::vector<std::size_t>& winners, std::size_t neurons) {
   return hits;
 }
 
-void add_hits(Evidence& evidence, std::size_t neurons, std::size_t threads, Json& json) {
+void add_winners(Evidence& evidence, std::size_t neurons, std::size_t threads, Json& json) {
   if (!evidence.recording) return;
   const auto winners = winners_of(evidence, threads);
   if (winners) {
+    json["winners"] = *winners;
     json["hits"] = hits_json(*winners, neurons);
   } else {
     evidence.missing.push_back(
-        "Hits are left out, because the trained system cannot be run on the recording (" +
+        "The samples on the saved map are left out, because the trained system cannot be run on "
+        "the recording (" +
         to_string(winners.error()) + ").");
   }
 }
@@ -141,8 +143,9 @@ Json trained_json(Evidence& evidence, std::size_t threads) {
   Json json = {{"file", evidence.model->path}, {"seed", evidence.part->model->seed}};
   add_answer(model, som.neurons(), json);
   json["u_matrix"] = short_numbers(std::span<const double>(u_matrix(som)));
+  json["winners"] = Json::array();
   json["hits"] = Json::array();
-  add_hits(evidence, som.neurons(), threads, json);
+  add_winners(evidence, som.neurons(), threads, json);
   json["planes"] = Json::array();
   for (const ChannelPlanes& planes : channel_planes(model.system, *evidence.map)) {
     json["planes"].push_back(planes_json(planes));

@@ -131,13 +131,14 @@ std::span<const float> shown_values(const Channel& channel, double rate, std::si
 }
 
 Json thing_json(const ExploredThing& thing) {
+  const bool is_known = !thing.material.name.empty();
   const auto colour = material_colour(thing.material.name);
   Json json{{"name", thing.name},
             {"shape", nullptr},
             {"size", nullptr},
             {"top_diameter", 0.0},
             {"material", thing.material.name},
-            {"hardness", choice_name(thing.material.hardness)},
+            {"hardness", is_known ? choice_name(thing.material.hardness) : std::string()},
             {"colour", colour ? Json(*colour) : Json()},
             {"mass", nullptr}};
   if (!thing.object) return json;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bodies/objects/exploration_source.h"
 #include "bodies/support/things.h"
 #include "somato/bodies/object_table.h"
 #include "somato/simulation/simulated_explorer.h"
@@ -11,10 +12,11 @@
 namespace somato {
 namespace {
 
-// As a hand would have recorded it; it did not move.
+// As a simulated hand would have recorded it; it did not move.
 Exploration of_hand(const Object& object, std::size_t joints = 6) {
   Exploration exploration;
   exploration.labels = labels_of(object, 2);
+  exploration.source = simulated_source("lucs2", "engine", 1, SimulatedThings::kBuiltIn);
   for (const auto& [name, elements] : {std::pair<const char*, std::size_t>{"height", 1},
                                        {"wrist", 1},
                                        {"joints", joints},
@@ -107,6 +109,23 @@ TEST(RecordedScenes, ShowProbes) {
   const auto player = recorded_scenes()(explorer->explore(0, 0).value());
   ASSERT_TRUE(player);
   EXPECT_EQ(player->scene().bodies, (std::vector<std::string>{"stick"}));
+}
+
+// The names of objects say nothing about the objects of a device or of another simulation.
+TEST(RecordedScenes, ShowBuiltInObjectsOnlyIfASimulatedHandExploredThem) {
+  Exploration recorded = of_hand(boule());
+  recorded.source = device_source("my hand");
+  EXPECT_TRUE(shows_nothing(recorded_scenes()(recorded)));
+  EXPECT_EQ(shown_object(recorded_scenes({boule()})(recorded)).shape, GeomShape::kSphere);
+  recorded.source = simulated_source("lucs2", "engine", 1, SimulatedThings::kGiven);
+  EXPECT_TRUE(shows_nothing(recorded_scenes()(recorded)));
+}
+
+// Another hand may have as many joints.
+TEST(RecordedScenes, ShowNoHandForRecordingsOfOthers) {
+  Exploration recorded = of_hand(boule());
+  recorded.source = "trials/boule_1.csv";
+  EXPECT_FALSE(recorded_scenes({boule()})(recorded));
 }
 
 TEST(RecordedScenes, KnowNothingOfOthers) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bodies/objects/exploration_source.h"
 #include "bodies/objects/material_colour.h"
 #include "somato/simulation/simulated_explorer.h"
 
@@ -106,9 +107,12 @@ TEST(ProbePoses, ShowBothProbesBesideEachOther) {
 TEST(ProbePoses, ShowTheMaterialInItsColour) {
   Exploration recorded = explored(ExploringBody::kHardness, 7);
   const auto colour = material_colour("sponge").value();
+  const std::array<double, 4> grey{0.6, 0.6, 0.6, 1.0};
   const std::array<double, 4> sponge{colour[0], colour[1], colour[2], 1.0};
   EXPECT_EQ(slab_colour(play_probes(recorded)->scene()), sponge);
-  const std::array<double, 4> grey{0.6, 0.6, 0.6, 1.0};
+  Exploration other = recorded;
+  other.source = device_source("my probe");
+  EXPECT_EQ(slab_colour(play_probes(other)->scene()), grey);
   recorded.labels.front().value = "cork";
   EXPECT_EQ(slab_colour(play_probes(recorded)->scene()), grey);
   recorded.labels.clear();

@@ -191,6 +191,12 @@ TEST(Report, HitsAndLabelsAreThoseOfTheSavedSystem) {
   }
 }
 
+TEST(Report, TheSamplesLieOnTheSavedMapInTheirOrder) {
+  const Json system = whole_report(learning())["systems"][0];
+  EXPECT_EQ(system["trained"]["winners"], Json(learning().outcome.winners));
+  EXPECT_EQ(system["samples"].size(), learning().outcome.winners.size());
+}
+
 TEST(Report, PlanesOfAShortInputAreItsWeights) {
   const Json planes = whole_report(small())["systems"][0]["trained"]["planes"];
   ASSERT_EQ(planes.size(), 1U);

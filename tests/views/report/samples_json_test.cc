@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/support/json_schema.h"
+#include "bodies/objects/exploration_source.h"
 #include "views/report/three_explorations.h"
 
 namespace somato {
@@ -22,8 +24,14 @@ Json checked(Json part, const std::string& name) {
 Json samples_of(const Evidence& evidence) {
   return checked(detail::samples_json(evidence), "samples");
 }
-Json things_of(const Evidence& evidence, const std::vector<ReportThing>& known) {
+Json things_of(const Evidence& evidence, const ReportSources& known) {
   return checked(detail::things_json(evidence, known), "things");
+}
+ReportSources knowing(std::vector<ReportThing> things, std::vector<ReportThing> built_in = {}) {
+  ReportSources sources;
+  sources.things = std::move(things);
+  sources.built_in_things = std::move(built_in);
+  return sources;
 }
 
 class SamplesJson : public testing::ThreeExplorations {};
@@ -40,7 +48,7 @@ TEST_F(SamplesJson, AThingThatIsKnownIsCompletedUnlessItContradicts) {
   using Size = std::array<double, 3>;
   const ReportThing steel{"ball", "sphere", Size{1, 1, 1}, 0, "metal", "hard", {}, 2.0};
   const ReportThing wooden{"ball", "sphere", Size{7, 7, 7}, 0, "wood", "hard", Size{1, 0, 0}, 3.0};
-  const Json things = things_of(evidence_, {steel, wooden});
+  const Json things = things_of(evidence_, knowing({steel, wooden}));
   ASSERT_EQ(things.size(), 2U);
   EXPECT_EQ(things[0]["size"], Json::array({7.0, 7.0, 7.0}));
   EXPECT_EQ(things[0]["colour"], Json::array({1.0, 0.0, 0.0}));
@@ -49,6 +57,28 @@ TEST_F(SamplesJson, AThingThatIsKnownIsCompletedUnlessItContradicts) {
   EXPECT_EQ(things[1]["material"], "wood");
   EXPECT_TRUE(things[1]["shape"].is_null());
   EXPECT_TRUE(things[1]["size"].is_null());
+}
+
+// An object of another recording may have the name of a simulated one.
+TEST_F(SamplesJson, OnlyWhatASimulatedBodyExploredIsABuiltInThing) {
+  const ReportThing ball{"ball", "sphere", {}, 0, "wood", "hard", {}, 0.4};
+  EXPECT_TRUE(things_of(evidence_, knowing({}, {ball}))[0]["mass"].is_null());
+  exploration(0).source = simulated_source("lucs2", "engine", 1, SimulatedThings::kGiven);
+  EXPECT_TRUE(things_of(evidence_, knowing({}, {ball}))[0]["mass"].is_null());
+  exploration(0).source = simulated_source("lucs2", "engine", 1, SimulatedThings::kBuiltIn);
+  EXPECT_EQ(things_of(evidence_, knowing({}, {ball}))[0]["mass"], 0.4);
+  ReportThing own = ball;
+  own.mass = 0.5;
+  EXPECT_EQ(things_of(evidence_, knowing({own}, {ball}))[0]["mass"], 0.5);
+}
+
+TEST_F(SamplesJson, WithoutARecordingTheResultsStateWhatExplored) {
+  const ReportThing ball{"ball", "sphere", {}, 0, "wood", "hard", {}, 0.4};
+  evidence_.recording = nullptr;
+  results_.protocols[0].runs = {{1, {0}, {"ball"}, {"ball"}, {}}};
+  EXPECT_TRUE(things_of(evidence_, knowing({}, {ball}))[0]["mass"].is_null());
+  results_.recordings[0].source = simulated_source("lucs2", "engine", 1, SimulatedThings::kBuiltIn);
+  EXPECT_EQ(things_of(evidence_, knowing({}, {ball}))[0]["mass"], 0.4);
 }
 
 TEST_F(SamplesJson, WithoutARecordingThingsAreTheClasses) {

@@ -95,6 +95,46 @@ export interface ProtocolData {
   /** By their names. */
   metrics: Record<string, MetricData>;
   runs: RunData[];
+  /**
+   * For each sample the number of the training by which it was tested, the same in every run;
+   * without it there was only one, or one for each sample, or they are unknown.
+   */
+  folds?: number[];
+}
+
+/** The main result of a system, and what to try next. */
+export interface SystemSummary {
+  /** Index into `protocols`. */
+  protocol: number;
+  accuracy: NumberOrNull;
+  /** The standard deviation over the runs. */
+  deviation: NumberOrNull;
+  /** The accuracy of the nearest neighbour; null if it was not measured. */
+  baseline: NumberOrNull;
+  /** The accuracy that is expected if the predicted classes are in random order. */
+  chance: number;
+  /** The most frequent ones, over all runs. */
+  confusions: Confusion[];
+  next: NextStep[];
+}
+
+/** Samples of a class for which another one was predicted. */
+export interface Confusion {
+  /** The true class. */
+  label: string;
+  predicted: string;
+  count: number;
+  /** All samples of the true class. */
+  of: number;
+}
+
+/** A proposal for the user of a result. */
+export interface NextStep {
+  text: string;
+  /** Commands of a shell. */
+  commands: string[];
+  /** A page of the documentation; "": none. */
+  page: string;
 }
 
 /** One system (or variation of one) of one results.json. */
@@ -110,6 +150,7 @@ export interface SystemReport {
   settings: Record<string, Record<string, string>>;
   /** Hash of the first of its recordings that was available, else of its first. */
   data_hash: string;
+  summary: SystemSummary | null;
   /** Names. */
   recordings: string[];
   /**
@@ -159,6 +200,8 @@ export interface TrainedData {
   neuron_classes: NeuronClasses;
   /** For each neuron the mean distance between its weights and those of its neighbours. */
   u_matrix: number[];
+  /** For each sample the neuron of the saved system that wins it; [] without a recording. */
+  winners: number[];
   /** For each neuron the number of samples, of the saved system; [] without a recording. */
   hits: number[];
   /** Component planes: all elements of a short input, else those of the channels. */

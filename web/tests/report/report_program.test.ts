@@ -89,13 +89,32 @@ async function savedRows(figure: Locator): Promise<string[][]> {
     .map((line) => line.split(","));
 }
 
+const choose = (name: string, option: { index: number } | { label: string }) =>
+  section().getByRole("combobox", { name }).selectOption(option);
+
+/** The rows of the winners as CSV: of one map. */
+const winnerRows = async () => (await savedRows(section().locator('figure[aria-label="Winners"]'))).slice(1);
+
+/** The rows of all trainings of the selected run, in the order of the samples. */
+async function rowsOfTrainings(): Promise<string[][]> {
+  const names = await section().getByRole("combobox", { name: "Map" }).locator("option").allTextContents();
+  const rows: string[][] = [];
+  for (const label of names.filter((name) => name.startsWith("training"))) {
+    await choose("Map", { label });
+    const own = await winnerRows();
+    expect(own.length).toBe(8); // the samples of one trial
+    rows.push(...own);
+  }
+  return rows.sort((one, other) => Number(one[0]) - Number(other[0]));
+}
+
 test("has the winners and what was named of results.json, for every protocol and seed", async () => {
-  const winners = section().locator('figure[aria-label="Winners"]');
   for (const [protocol, { runs }] of results.parts[0]!.protocols.entries()) {
-    await section().getByRole("combobox", { name: "Protocol" }).selectOption({ index: protocol });
+    await choose("Protocol", { index: protocol });
     for (const [seed, run] of runs.entries()) {
       await section().getByRole("slider", { name: "Seed" }).fill(String(seed));
-      const rows = (await savedRows(winners)).slice(1);
+      const rows = protocol === 0 ? await winnerRows() : await rowsOfTrainings();
+      expect(rows.map((row) => Number(row[0]))).toEqual(run.winners.map((_, i) => i + 1));
       expect(rows.map((row) => Number(row[1]) - 1)).toEqual(run.winners);
       expect(rows.map((row) => row[5])).toEqual(run.predictions);
     }

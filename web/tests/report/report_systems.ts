@@ -11,6 +11,25 @@ import { fields, handGraph, planes, trained } from "./report_trained";
 const kRectangular: GridData = { rows: 15, columns: 15, lattice: "rectangular", topology: "plane" };
 const kHexagonal: GridData = { rows: 10, columns: 12, lattice: "hexagonal", topology: "torus" };
 
+/** A summary of the second protocol. */
+function summary(): SystemReport["summary"] {
+  return {
+    protocol: 1,
+    accuracy: 0.85,
+    deviation: 0.02,
+    baseline: 0.9,
+    chance: 1 / 6,
+    confusions: [{ label: "boccia", predicted: "boule", count: 7, of: 100 }],
+    next: [
+      {
+        text: "Play explorations of 'boccia' and 'boule', and compare their readings.",
+        commands: ["somato view lucs2.mcap --model out/system.somato"],
+        page: "docs/live.md",
+      },
+    ],
+  };
+}
+
 export function handSystem(): SystemReport {
   const shapeOf = (name: string) => kShapeOf[name] ?? "";
   const runs = withMaps(
@@ -28,10 +47,11 @@ export function handSystem(): SystemReport {
     question: "",
     settings: { study: { label: "object", seeds: "20" }, "module.map": { rows: "15", columns: "15" } },
     data_hash: "fnv1a64:a32cd4b13db36891",
+    summary: summary(),
     recordings: ["lucs2.mcap"],
     protocols: [
       protocol("train_is_test", undefined, "object", runs),
-      protocol("leave_group_out", "object", "object", outs),
+      { ...protocol("leave_group_out", "object", "object", outs), folds: labels.map((name) => kObjects.indexOf(name)) },
     ],
     graph: handGraph(),
     grid: kRectangular,

@@ -107,6 +107,7 @@ export function trained(
     classes,
     neuron_classes: neurons.map(() => (random() < 0.15 ? Math.floor(random() * classes.length) : null)),
     u_matrix: uMatrixOf(grid, 1),
+    winners: [],
     hits: neurons.map(() => (random() < 0.12 ? 1 + Math.floor(random() * 3) : 0)),
     planes: allPlanes,
     receptive_fields: receptive,

@@ -30,6 +30,12 @@ export function thingPicture(thing: ThingData, scale: number): SVGSVGElement {
   return picture;
 }
 
+/** Whether the appearance is known: the shape, or the colour of a material that has none. */
+export function hasPicture({ shape, colour }: ThingData): boolean {
+  return shape === null ? colour !== null : kShapes.has(shape);
+}
+
+const kShapes = new Set(["sphere", "ellipsoid", "capsule", "cylinder", "cone", "block", "mesh"]);
 const kRound = new Set(["sphere", "ellipsoid", "capsule", "cylinder", "cone"]);
 const kPiece = [50, 50, 10] as const;
 const kAround60 = [60, 60, 60] as const;

@@ -3,20 +3,20 @@
 import type { Table } from "../../parts/csv";
 import type { GridData } from "../../parts/data";
 import { element } from "../../parts/dom";
+import type { Shown } from "../../parts/figure";
 import { columnOf, neuronCount, rowOf } from "../../parts/maps/grid";
 import { hitsPicture } from "../../parts/maps/map_hits";
-import { labelsPicture, type LabelsOptions } from "../../parts/maps/map_labels";
+import { labelsPicture } from "../../parts/maps/map_labels";
 import { valuesPicture } from "../../parts/maps/map_picture";
 import { graphOf } from "../../parts/maps/neuron_graph";
 import { rangeOf } from "../../parts/numbers";
 import { fitting } from "../page/fitting";
-import { classesOf, numbered, predictionsOf, valuesOf } from "../tables/labels";
 import { liveFigure, nothing, type Drawn } from "./live_figure";
-import { shownBySelection, shownOfSaved } from "../page/origin";
+import { shownBySelection, shownOfMap, shownOfSaved } from "../page/origin";
 import { savedNotice } from "../page/saved_notice";
 import type { Selection } from "../page/selection";
-import type { ProtocolData, RunData, SystemReport } from "../page/unpacked";
-import { hasOneMap, systemName } from "../page/words";
+import { systemName } from "../page/words";
+import { grows, predictionsOn, shownMap, winnersOn, type ShownMap } from "./shown_map";
 
 export interface MapSizes {
   large: number;
@@ -38,69 +38,62 @@ export function mapFigures(selection: Selection, sizes = kSizes, prefix = ""): H
   return figures;
 }
 
-/** Maps that grow differ in their neurons, so that the winners on several have no common picture. */
-export function canDraw({ grid, map, system }: Selection): boolean {
-  const type = system.graph?.modules.find(({ name }) => name === system.graph?.map)?.type ?? "";
-  return grid !== null && (map !== null || !type.startsWith("growing_"));
-}
-
 function winnersFigure(selection: Selection, name: string, size: number): HTMLElement {
   const torus = selection.grid?.topology === "torus" ? " Opposite dotted borders are connected." : "";
   const options = {
     title: "Winners",
     file: `${name}-winners`,
+    about: () => aboutMap(selection),
     note: `Each marker is a sample at its winner; an area contains the neurons nearest to the winners of a class.${torus}`,
   };
   return liveFigure(options, selection, () => drawWinners(selection, size));
 }
 
-/** The winners of a run by class, for a picture; null if the label is unknown. */
-export function winnersOf(
-  system: SystemReport,
-  protocol: ProtocolData,
-  run: RunData,
-  label: string,
-): Omit<LabelsOptions, "label"> | null {
-  const values = valuesOf(system, protocol, run, label);
-  if (!values) return null;
-  const names = classesOf(system, label);
-  return { names, winners: run.winners, classes: numbered(values, names), areas: hasOneMap(protocol) };
+function aboutMap(selection: Selection): Shown {
+  const shown = shownMap(selection);
+  return shown ? shownOfMap(shown, selection) : shownBySelection(selection);
 }
 
 function drawWinners(selection: Selection, size: number): Drawn {
-  const { protocol, run, label, system, grid } = selection;
+  const { protocol, run, label, grid } = selection;
   if (!grid) return nothing("The map cannot be drawn because its shape is unknown.");
   if (!protocol || !run) return nothing("This protocol has no runs.");
-  if (!canDraw(selection)) return nothing(kGrownApart);
-  const winners = winnersOf(system, protocol, run, label);
+  const shown = shownMap(selection);
+  if (!shown) return nothing(grows(selection.system) ? kGrownApart : kManyMaps);
+  const winners = winnersOn(shown, selection);
   if (!winners) return nothing(`The label ${label} is unknown for the samples of this run.`);
-  const { words } = shownBySelection(selection);
-  const picture = labelsPicture(grid, {
+  const { words } = shownOfMap(shown, selection);
+  const picture = labelsPicture(shown.grid, {
     ...winners,
     label: `Winners: ${words}`,
     size,
     onChoose: (neuron) => selection.setNeuron(neuron),
   });
-  const folds = winners.areas ? null : element("p", { class: "small muted" }, [kManyMaps]);
+  const others = shown.kind === "run" ? null : element("p", { class: "small muted" }, [kOthers[shown.kind]]);
   const values = winners.classes.map((number) => winners.names[number] ?? "");
   return {
-    body: [element("p", { class: "small what" }, [words]), picture.element, folds],
+    body: [element("p", { class: "small what" }, [words]), picture.element, others],
     svg: picture.svg,
-    table: winnersTable(grid, run.winners, values, predictionsOf(protocol, run, label)),
+    table: winnersTable(shown, values, predictionsOn(shown, selection)),
     map: picture,
   };
 }
 
+const kOthers = {
+  fold: "Only the samples that this map was tested with are shown. The other samples were tested on other maps, whose positions are not comparable.",
+  saved: "For the accuracy each sample was tested on another map, which was trained without it. This map was trained on all samples.",
+};
+
 const kManyMaps =
-  "Each sample was tested on a separate map trained without it: positions on different maps are not comparable, and no areas are drawn.";
+  "Each sample was tested on a separate map trained without it. Positions on different maps are not comparable, so that the winners cannot be drawn together.";
 
 const kGrownApart =
   "Each sample was tested on a separate map trained without it. Maps that grow differ in their neurons, so that the winners cannot be drawn together.";
 
-function winnersTable(grid: GridData, winners: number[], values: string[], named: string[] | null): Table {
+function winnersTable({ grid, winners, samples }: ShownMap, values: string[], named: string[] | null): Table {
   const columns = ["sample", "winner", ...placeColumns(grid), "class", "named"];
   const rows = winners.map((winner, i) => [
-    i + 1,
+    (samples[i] ?? 0) + 1,
     winner + 1,
     ...placeIn(grid, winner),
     values[i] ?? "",
@@ -114,7 +107,7 @@ function uMatrixFigure(selection: Selection, name: string, size: number): HTMLEl
     title: "U-matrix",
     file: `${name}-u-matrix`,
     note: "The mean distance between a neuron's weights and those of its neighbours: light ridges separate different samples. A marker is the class of most samples that a neuron wins.",
-    about: () => (isOfWinners(selection) ? shownBySelection(selection) : shownOfSaved(selection.system)),
+    about: () => (isOfWinners(selection) ? aboutMap(selection) : shownOfSaved(selection.system)),
   };
   return liveFigure(options, selection, () => drawUMatrix(selection, size));
 }
@@ -143,7 +136,7 @@ function drawUMatrix(selection: Selection, size: number): Drawn {
     distances[i] ?? null,
     marks?.names[marks.classes[i] ?? -1] ?? null,
   ]);
-  const words = element("p", { class: "small what" }, [shownBySelection(selection).words]);
+  const words = element("p", { class: "small what" }, [aboutMap(selection).words]);
   return {
     body: [isOwn ? words : savedNotice(selection), picture.element],
     svg: picture.svg,
@@ -154,8 +147,8 @@ function drawUMatrix(selection: Selection, size: number): Drawn {
 
 /** The class of most samples that each neuron wins, of equals the first. */
 function marksOf(selection: Selection, grid: GridData): { classes: (number | null)[]; names: readonly string[] } | null {
-  const { system, protocol, run, label } = selection;
-  const won = protocol && run ? winnersOf(system, protocol, run, label) : null;
+  const shown = shownMap(selection);
+  const won = shown && winnersOn(shown, selection);
   if (!won) return null;
   const counts = Array.from({ length: neuronCount(grid) }, () => new Map<number, number>());
   won.winners.forEach((winner, i) => {
@@ -167,16 +160,19 @@ function marksOf(selection: Selection, grid: GridData): { classes: (number | nul
 }
 
 function hitsFigure(selection: Selection, name: string, size: number): HTMLElement {
-  const options = { title: "Hits", file: `${name}-hits`, note: "Number of samples won by each neuron." };
+  const note = "Number of samples won by each neuron.";
+  const options = { title: "Hits", file: `${name}-hits`, note, about: () => aboutMap(selection) };
   return liveFigure(options, selection, () => drawHits(selection, size));
 }
 
 function drawHits(selection: Selection, size: number): Drawn {
-  const { protocol, run, grid } = selection;
-  if (!protocol || !run || !grid) return nothing("This protocol has no runs.");
-  if (!hasOneMap(protocol)) return nothing("The samples were tested on different maps, whose neurons are not comparable.");
+  const { protocol, run } = selection;
+  if (!protocol || !run) return nothing("This protocol has no runs.");
+  const shown = shownMap(selection);
+  if (!shown) return nothing("The samples were tested on different maps, whose neurons are not comparable.");
+  const { grid, winners } = shown;
   const hits = new Array<number>(neuronCount(grid)).fill(0);
-  for (const winner of run.winners) hits[winner] = (hits[winner] ?? 0) + 1;
+  for (const winner of winners) hits[winner] = (hits[winner] ?? 0) + 1;
   const onChoose = (neuron: number) => selection.setNeuron(neuron);
   const picture = hitsPicture(grid, hits, { label: "Hits", size, onChoose });
   return {

@@ -5,7 +5,7 @@ import type { ThingData } from "../../parts/data";
 import { element, type Child } from "../../parts/dom";
 import { figure, scrolled } from "../../parts/figure";
 import { capital, fixed, readable } from "../../parts/numbers";
-import { commonScale, thingPicture } from "../../parts/hands/thing_picture";
+import { commonScale, hasPicture, thingPicture } from "../../parts/hands/thing_picture";
 import type { SystemReport } from "../page/unpacked";
 import { systemName } from "../page/words";
 
@@ -81,11 +81,6 @@ function sizeWords(thing: ThingData): string {
   if (thing.size === null) return "";
   const words = thing.size.map((one) => readable(one)).join(" × ");
   return thing.top_diameter > 0 ? `${words}, top ${readable(thing.top_diameter)}` : words;
-}
-
-/** The appearance is unknown if only the name is given. */
-function hasPicture({ shape, material, colour }: ThingData): boolean {
-  return shape !== null || material !== "" || colour !== null;
 }
 
 function thingRow(thing: ThingData, scale: number, columns: Column[]): HTMLElement {

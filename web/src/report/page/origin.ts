@@ -1,6 +1,7 @@
 // The content of a system's figures in words and its origin, for saved files.
 
 import { fileName, type Shown } from "../../parts/figure";
+import { medianFold, type ShownMap } from "../maps/shown_map";
 import type { Placed } from "./same_names";
 import type { Selection } from "./selection";
 import type { SystemReport } from "./unpacked";
@@ -26,6 +27,22 @@ export function shownBySelection(selection: Selection): Shown {
   const words = [protocolName(protocol), `by ${label}`, seed].filter((one) => one !== "").join(", ");
   const shown = shownOf(system, words, nameOf(selection, [label, seed]));
   return { ...shown, facts: [...shown.facts, ["Selection", words]] };
+}
+
+/** For a figure of one map: of all samples of the selected run, of a training that tested some, or of the saved system. */
+export function shownOfMap({ kind, samples }: ShownMap, selection: Selection): Shown {
+  const { label, system, protocol, run, fold, folds } = selection;
+  if (kind === "saved") {
+    const shown = shownOfSaved(system);
+    const seed = system.trained?.seed ?? null;
+    const words = `Trained on all ${samples.length} samples, by ${label}${seed === null ? "" : `, seed ${seed}`}`;
+    return { ...shown, words, name: fileName(["saved", label, shown.name].join("-")) };
+  }
+  const shown = shownBySelection(selection);
+  if (kind === "run" || fold === null || !protocol || !run) return shown;
+  const isMedian = fold === medianFold(protocol, run) ? ", the fold nearest the median" : "";
+  const words = `${shown.words}, fold ${fold + 1} of ${folds}${isMedian}`;
+  return { ...shown, words, name: `${shown.name}-fold${fold + 1}`, facts: [...shown.facts, ["Fold", String(fold + 1)]] };
 }
 
 /** The protocol and the other `parts` as a part of the name of a file. */

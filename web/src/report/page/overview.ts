@@ -7,15 +7,16 @@ import { handMap } from "../../parts/hands/hand_map";
 import { labelsPicture } from "../../parts/maps/map_labels";
 import { capital, countOf } from "../../parts/numbers";
 import { figure } from "../../parts/figure";
-import { commonScale, thingPicture } from "../../parts/hands/thing_picture";
+import { commonScale, hasPicture, thingPicture } from "../../parts/hands/thing_picture";
 import { fitting } from "./fitting";
 import { galleryOf } from "../tables/gallery";
 import { groupsOf, questionsOf } from "./groups";
 import { bestSystem, isOfHand, originals, summaryOf } from "../tables/main_results";
-import { shownBySelection } from "./origin";
+import { shownOfMap } from "./origin";
 import { readingColours } from "../moments/reading_colours";
 import { Selection } from "./selection";
-import { winnersOf } from "../maps/system_map";
+import { firstMap, winnersOn } from "../maps/shown_map";
+import { nextSteps } from "./next_steps";
 import { systemsFigure } from "../tables/systems_table";
 import type { MomentChannel, ReportData, SystemReport } from "./unpacked";
 import { systemName } from "./words";
@@ -34,7 +35,7 @@ export function overviewSection(data: ReportData): HTMLElement {
           "No results were given. Name one or more results.json: somato report RESULTS.json -o report.html",
         ])
       : null,
-    best ? hero(best, galleryOf(groups)) : null,
+    ...(best ? opening(best, galleryOf(groups), originals(data).length === 1 ? nextSteps(best) : null) : []),
     standing.length > 0 ? systemsFigure(standing, data, "systems") : null,
   ]);
 }
@@ -52,23 +53,26 @@ export function titleOf(data: ReportData): string {
   return counts.length === 0 ? "Results" : `Results of ${counts.join(" and ")}`;
 }
 
-function hero(best: SystemReport, gallery: Child): HTMLElement {
-  return element("div", { class: isOfHand(best) ? "hero" : "hero without-hand" }, [
+/** The steps are beside the map, or below it where the hand is beside the map. */
+function opening(best: SystemReport, gallery: Child, steps: Child): Child[] {
+  const hasHand = isOfHand(best);
+  const hero = element("div", { class: hasHand ? "hero" : "hero without-hand" }, [
     bestMap(best),
-    element("div", { class: "hero-body" }, [handOf(best), thingsOf(best)]),
+    element("div", { class: "hero-body" }, [handOf(best), thingsOf(best), hasHand ? null : steps]),
     gallery,
   ]);
+  return [hero, hasHand ? steps : null];
 }
 
 const kMapSize = 384;
 
 function bestMap(system: SystemReport): Child {
   const selection = new Selection(system);
-  const { protocol, run, label, grid } = selection;
-  const winners = protocol && run ? winnersOf(system, protocol, run, label) : null;
-  if (!grid || !winners) return null;
-  const shown = shownBySelection(selection);
-  const picture = labelsPicture(grid, { ...winners, label: `Map of ${systemName(system)}`, size: fitting(kMapSize) });
+  const map = firstMap(selection);
+  const winners = map && winnersOn(map, selection);
+  if (!map || !winners) return null;
+  const shown = shownOfMap(map, selection);
+  const picture = labelsPicture(map.grid, { ...winners, label: `Map of ${systemName(system)}`, size: fitting(kMapSize) });
   return figure({
     title: `Map of ${systemName(system)}`,
     file: "overview-map",
@@ -76,7 +80,7 @@ function bestMap(system: SystemReport): Child {
     picture: () => picture.svg,
     numbers: () => ({
       columns: ["sample", "winner", "class"],
-      rows: winners.winners.map((winner, i) => [i + 1, winner + 1, winners.names[winners.classes[i] ?? 0] ?? ""]),
+      rows: winners.winners.map((winner, i) => [(map.samples[i] ?? 0) + 1, winner + 1, winners.names[winners.classes[i] ?? 0] ?? ""]),
     }),
     about: () => shown,
     note: `${shown.words}. Each marker is a sample at the neuron that wins it.`,
@@ -108,7 +112,7 @@ function handOf(system: SystemReport): Child {
 const kThingSize = 56;
 
 function thingsOf({ things }: SystemReport): Child {
-  const shown = things.filter(({ shape, material, colour }) => shape !== null || material !== "" || colour !== null);
+  const shown = things.filter(hasPicture);
   if (shown.length === 0) return null;
   const scale = commonScale(shown, kThingSize);
   const items = shown.map((thing) => {

@@ -14,8 +14,12 @@ export function savedNotice(selection: Selection): HTMLElement {
   ]);
   const index = selection.savedRunIndex;
   if (index < 0) return notice;
-  const button = element("button", { type: "button", class: "quiet", onclick: () => selection.setRun(index) }, [
-    "Select its seed",
+  const select = () => {
+    selection.setRun(index);
+    if (selection.folds > 0) selection.setFold(null);
+  };
+  const button = element("button", { type: "button", class: "quiet", onclick: select }, [
+    selection.isOfSavedRun ? "Select it" : "Select its seed",
   ]);
   notice.append(button);
   return notice;

@@ -3,12 +3,14 @@
 import type { GridData } from "../../parts/data";
 import { labelNames } from "../tables/labels";
 import type { ProtocolData, RunData, RunMap, SystemReport } from "./unpacked";
+import { foldCount, medianFold, savedMap, shownMap } from "../maps/shown_map";
 import { hasOneMap } from "./words";
 
 export class Selection {
   protocolIndex = 0;
   labelIndex = 0;
   runIndex = 0;
+  chosenFold: number | null | undefined = undefined; // null: the saved system; undefined: the default
   neuron: number | null = null;
   marks: readonly number[] = []; // neurons that correspond to a selection on another map
   private readonly listeners: (() => void)[] = [];
@@ -43,11 +45,35 @@ export class Selection {
     return this.map?.grid ?? this.system.grid;
   }
 
+  /** The number of trainings by which the samples of the protocol were tested; 0 if there is one, or if it is unknown. */
+  get folds(): number {
+    return this.protocol ? foldCount(this.protocol) : 0;
+  }
+
+  /** The training whose map is shown; null: that of the saved system. By default the latter, if it is of this run. */
+  get fold(): number | null {
+    const { protocol, run, chosenFold, folds } = this;
+    if (!protocol || !run || folds === 0) return null;
+    const isSaved = this.canShowSaved && (chosenFold === null || chosenFold === undefined);
+    if (isSaved) return null;
+    return typeof chosenFold === "number" && chosenFold < folds ? chosenFold : medianFold(protocol, run);
+  }
+
+  /** Whether the saved system has the seed of the selected run, and its samples are known. */
+  get canShowSaved(): boolean {
+    return this.isOfSavedRun && savedMap(this.system) !== null;
+  }
+
+  get isOfSavedRun(): boolean {
+    const { run, system } = this;
+    return run !== undefined && system.trained !== null && run.seed === system.trained.seed && run.recording === 0;
+  }
+
   /** Whether the selected winners are neurons of the trained system that was saved. */
   get isOfSavedMap(): boolean {
-    const { protocol, run, system } = this;
-    if (!protocol || !run || !system.trained) return false;
-    return hasOneMap(protocol) && run.seed === system.trained.seed && run.recording === 0;
+    const { protocol } = this;
+    if (!protocol || !this.isOfSavedRun) return false;
+    return hasOneMap(protocol) || shownMap(this)?.kind === "saved";
   }
 
   /** The run of the saved system, if the protocol has it. */
@@ -62,6 +88,7 @@ export class Selection {
     this.protocolIndex = index;
     this.labelIndex = Math.max(0, this.labels.indexOf(label));
     this.runIndex = Math.max(0, Math.min(this.runIndex, (this.protocol?.runs.length ?? 1) - 1));
+    this.chosenFold = undefined;
     this.notify();
   }
 
@@ -72,6 +99,12 @@ export class Selection {
 
   setRun(index: number): void {
     this.runIndex = index;
+    this.notify();
+  }
+
+  /** null: the saved system. */
+  setFold(fold: number | null): void {
+    this.chosenFold = fold;
     this.notify();
   }
 

@@ -4,11 +4,12 @@ import { neuronCount } from "../../parts/maps/grid";
 import type { Selection } from "./selection";
 
 /** Only what differs from the initial selection. */
-export function stateOf({ protocolIndex, labelIndex, runIndex, neuron, run, label }: Selection): Record<string, string> {
+export function stateOf({ protocolIndex, labelIndex, runIndex, chosenFold, neuron, run, label }: Selection): Record<string, string> {
   return {
     ...(protocolIndex > 0 ? { protocol: String(protocolIndex + 1) } : {}),
     ...(labelIndex > 0 ? { label } : {}),
     ...(runIndex > 0 && run ? { run: String(runIndex + 1) } : {}),
+    ...(typeof chosenFold === "number" ? { fold: String(chosenFold + 1) } : {}),
     ...(neuron !== null ? { neuron: String(neuron + 1) } : {}),
   };
 }
@@ -28,6 +29,7 @@ export function restored(selection: Selection, state: URLSearchParams): void {
   const label = selection.labels.indexOf(state.get("label") ?? selection.labels[0] ?? "");
   if (label >= 0) selection.setLabel(label);
   if (isIn(number("run"), selection.protocol?.runs.length ?? 0)) selection.setRun(number("run"));
+  if (state.has("fold") && isIn(number("fold"), selection.folds)) selection.setFold(number("fold"));
   const neurons = selection.grid ? neuronCount(selection.grid) : 0;
   const neuron = Number(state.get("neuron") ?? 0) - 1;
   selection.setNeuron(isIn(neuron, neurons) ? neuron : null);

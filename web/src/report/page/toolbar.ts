@@ -3,6 +3,8 @@
 
 import { choice, segments } from "../../parts/controls";
 import { element, fill, uniqueId, type Child } from "../../parts/dom";
+import { percent } from "../../parts/numbers";
+import { foldAccuracies } from "../maps/shown_map";
 import { seedWords } from "./origin";
 import type { Selection } from "./selection";
 import { protocolName } from "./words";
@@ -11,9 +13,10 @@ import { protocolName } from "./words";
 export function toolbar(selection: Selection, first: Child[] = []): HTMLElement {
   const names = selection.system.protocols.map(protocolName);
   const protocols = choice("Protocol", names, selection.protocolIndex, (index) => selection.setProtocol(index));
-  const [labels, runs] = [element("span"), element("span")];
+  const [labels, runs, maps] = [element("span"), element("span"), element("span")];
   const shown = { protocol: -1, label: -1 };
   const redraw = () => {
+    fill(maps, [mapControl(selection)]);
     const { protocolIndex, labelIndex } = selection;
     if (shown.protocol === protocolIndex && shown.label === labelIndex) return;
     if (shown.protocol !== protocolIndex) fill(runs, [runControl(selection)]);
@@ -28,7 +31,19 @@ export function toolbar(selection: Selection, first: Child[] = []): HTMLElement 
   redraw();
   selection.listen(redraw);
   const attributes = { class: "controls toolbar", role: "group", "aria-label": "Selection" };
-  return element("div", attributes, [...first, protocols.element, labels, runs]);
+  return element("div", attributes, [...first, protocols.element, labels, runs, maps]);
+}
+
+/** Which of several trainings is shown. */
+function mapControl(selection: Selection): Child {
+  const { protocol, run, folds, fold, canShowSaved } = selection;
+  if (!protocol || !run || folds === 0) return null;
+  const word = protocol.protocol === "k_folds" ? "fold" : "training";
+  const names = foldAccuracies(protocol, run).map((accuracy, i) => `${word} ${i + 1} of ${folds}: ${percent(accuracy)}`);
+  const all = canShowSaved ? ["all samples, saved system", ...names] : names;
+  const before = all.length - names.length;
+  const index = fold === null ? 0 : fold + before;
+  return choice("Map", all, index, (chosen) => selection.setFold(chosen < before ? null : chosen - before)).element;
 }
 
 const kFew = 4;

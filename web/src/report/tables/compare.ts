@@ -9,6 +9,7 @@ import { bestSystem, originals } from "./main_results";
 import { Selection } from "../page/selection";
 import { planeFigures } from "../maps/planes";
 import { restored, stateOf } from "../page/selection_state";
+import { shownMap } from "../maps/shown_map";
 import { mapFigures } from "../maps/system_map";
 import { block, type Part } from "../page/system_part";
 import { toolbar } from "../page/toolbar";
@@ -80,12 +81,14 @@ export function counterparts(from: Selection, to: Selection): number[] {
   const { neuron, run } = from;
   const other = to.run;
   if (neuron === null || !run || !other) return [];
-  if (run === other) return [neuron];
+  if (run === other && from.fold === to.fold) return [neuron];
   // The samples of different recordings or studies do not correspond.
   const isSame = from.system.data_hash === to.system.data_hash && run.recording === other.recording;
   if (!isSame || run.labels.length !== other.labels.length) return [];
-  const winners = run.winners.flatMap((winner, i) => (winner === neuron ? [other.winners[i] ?? -1] : []));
-  return [...new Set(winners)].filter((winner) => winner >= 0);
+  const [own, theirs] = [shownMap(from), shownMap(to)];
+  if (!own || !theirs) return [];
+  const won = new Set(own.samples.filter((_, i) => own.winners[i] === neuron));
+  return [...new Set(theirs.winners.filter((_, i) => won.has(theirs.samples[i] ?? -1)))];
 }
 
 class Side {

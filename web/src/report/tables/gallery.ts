@@ -10,12 +10,13 @@ import { lazy } from "../page/lazy";
 import { mainResults } from "./main_results";
 import { seedWords } from "../page/origin";
 import { Selection } from "../page/selection";
-import { winnersOf } from "../maps/system_map";
-import type { SystemReport } from "../page/unpacked";
+import { firstMap, foldAccuracies, foldCount, foldMap, shownMap, winnersOn, type ShownMap } from "../maps/shown_map";
+import type { ProtocolData, SystemReport } from "../page/unpacked";
 import { systemName } from "../page/words";
 
 interface Card {
   selection: Selection;
+  map: ShownMap | null;
   link: string;
   name: string;
   words: string;
@@ -26,12 +27,10 @@ export function galleryOf(groups: readonly Group[]): Child {
   const systems = groups.flatMap((group) => group.systems).filter(({ system }) => system.grid !== null);
   const [first] = groups;
   if (systems.length > 1) {
-    const cards = systems.map(({ system, link }) => ({
-      selection: new Selection(system),
-      link,
-      name: systemName(system),
-      words: accuracyWords(system),
-    }));
+    const cards = systems.map(({ system, link }) => {
+      const selection = new Selection(system);
+      return { selection, map: firstMap(selection), link, name: systemName(system), words: accuracyWords(system) };
+    });
     return gallery("All maps", cards);
   }
   return first ? galleryOfRuns(first) : null;
@@ -40,16 +39,38 @@ export function galleryOf(groups: readonly Group[]): Child {
 const kMostRuns = 24;
 
 function galleryOfRuns({ id, systems: [only] }: Group): Child {
-  const runs = only?.system.protocols[0]?.runs ?? [];
-  if (!only?.system.grid || runs.length < 2) return null;
-  const cards = runs.slice(0, kMostRuns).map((_, run): Card => {
-    const selection = new Selection(only.system);
+  const protocol = only?.system.protocols[0];
+  if (!only?.system.grid || !protocol) return null;
+  const cards = foldCount(protocol) > 0 ? cardsOfFolds(id, only.system, protocol) : cardsOfRuns(id, only.system, protocol);
+  if (cards.length < 2) return null;
+  const unit = foldCount(protocol) > 0 ? "fold" : "run";
+  const title = cards.length > kMostRuns ? `Maps of the first ${kMostRuns} of ${countOf(cards.length, unit)}` : `Maps of all ${unit}s`;
+  return gallery(title, cards.slice(0, kMostRuns));
+}
+
+function cardsOfRuns(id: string, system: SystemReport, { runs }: ProtocolData): Card[] {
+  return runs.flatMap((_, run): Card[] => {
+    const selection = new Selection(system);
     selection.setRun(run);
-    const state = { run: String(run + 1) };
-    return { selection, link: addressOf(id, state), name: `Seed ${seedWords(selection)}`, words: "" };
+    const map = shownMap(selection);
+    const link = addressOf(id, { run: String(run + 1) });
+    return map?.kind === "run" ? [{ selection, map, link, name: `Seed ${seedWords(selection)}`, words: "" }] : [];
   });
-  const title = runs.length > kMostRuns ? `Maps of the first ${kMostRuns} of ${countOf(runs.length, "run")}` : "Maps of all runs";
-  return gallery(title, cards);
+}
+
+/** A map for each training of each run. */
+function cardsOfFolds(id: string, system: SystemReport, protocol: ProtocolData): Card[] {
+  return protocol.runs.flatMap((one, run) =>
+    foldAccuracies(protocol, one).flatMap((accuracy, fold): Card[] => {
+      const selection = new Selection(system);
+      selection.setRun(run);
+      selection.setFold(fold);
+      const map = foldMap(selection, fold);
+      const link = addressOf(id, { run: String(run + 1), fold: String(fold + 1) });
+      const name = `Seed ${seedWords(selection)}, fold ${fold + 1}`;
+      return map ? [{ selection, map, link, name, words: percent(accuracy) }] : [];
+    }),
+  );
 }
 
 function gallery(title: string, cards: readonly Card[]): HTMLElement {
@@ -60,9 +81,9 @@ function gallery(title: string, cards: readonly Card[]): HTMLElement {
   ]);
 }
 
-function cardOf({ selection, link, name, words }: Card): HTMLElement {
+function cardOf({ selection, map, link, name, words }: Card): HTMLElement {
   return element("a", { href: link }, [
-    element("span", { class: "thumbnail" }, [lazy(0, () => [thumbnail(selection)])]),
+    element("span", { class: "thumbnail" }, [lazy(0, () => [thumbnail(selection, map)])]),
     element("span", { class: "gallery-name" }, breakable(name)),
     words === "" ? null : element("span", { class: "muted" }, [words]),
   ]);
@@ -70,10 +91,10 @@ function cardOf({ selection, link, name, words }: Card): HTMLElement {
 
 const kSize = 150;
 
-function thumbnail({ system, grid, protocol, run, label }: Selection): Child {
-  const winners = protocol && run ? winnersOf(system, protocol, run, label) : null;
-  if (!grid || !winners) return null;
-  return labelsThumbnail(grid, { ...winners, label: `Map of ${systemName(system)}`, size: kSize });
+function thumbnail(selection: Selection, map: ShownMap | null): Child {
+  const winners = map && winnersOn(map, selection);
+  if (!map || !winners) return null;
+  return labelsThumbnail(map.grid, { ...winners, label: `Map of ${systemName(selection.system)}`, size: kSize });
 }
 
 function accuracyWords(system: SystemReport): string {

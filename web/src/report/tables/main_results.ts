@@ -2,7 +2,7 @@
 // of the same things, and other things.
 
 import { handLayout } from "../../parts/hands/hand_layout";
-import { percent } from "../../parts/numbers";
+import { fixed, percent } from "../../parts/numbers";
 import type { MetricData, ProtocolData, ReportData, SystemReport } from "../page/unpacked";
 import { systemName } from "../page/words";
 
@@ -89,21 +89,42 @@ function summaryOfOne(system: SystemReport): string {
   const label = words((trained ?? known)?.label ?? "");
   const own = [
     trained && `of ${shareOf(trained)} of the training samples`,
-    known && `of ${shareOf(known)} of samples left out${beside(known)}`,
+    known && `of ${shareOf(known)} of samples left out${beside(known, chanceOf(system, known))}`,
   ].filter((part) => part !== null);
   const other =
     fresh &&
     `the ${words(fresh.label)} of ${shareOf(fresh)} of samples whose ${words(fresh.protocol.label)} was left out${beside(fresh)}`;
   const parts = [...(own.length > 0 ? [`the ${label} ${own.join(" and ")}`] : []), ...(other ? [other] : [])];
   if (parts.length === 0) return "";
-  return `${systemName(system)} identifies ${parts.join(", and ")}${runs > 1 ? `; means over ${runs} runs` : ""}.`;
+  return `${systemName(system)} identifies ${parts.join(", and ")}${runs > 1 ? `; means over ${runs} runs` : ""}.${confusionWords(system)}`;
 }
+
+/** The most frequent confusions. */
+function confusionWords({ summary, protocols }: SystemReport): string {
+  const runs = protocols[summary?.protocol ?? 0]?.runs.length ?? 1;
+  const most = (summary?.confusions ?? []).map(({ label, predicted, count, of }) => `${words(label)} named ${words(predicted)} (${count} of ${of} samples)`);
+  if (most.length === 0) return "";
+  const [noun, verb] = most.length === 1 ? ["confusion", "is"] : ["confusions", "are"];
+  return ` The most frequent ${noun}${runs > 1 ? ", counted over all runs," : ""} ${verb} ${listed(most)}.`;
+}
+
+const listed = (all: string[]) => (all.length === 1 ? all[0]! : `${all.slice(0, -1).join(", ")} and ${all.at(-1)!}`);
 
 const words = (label: string) => label.replaceAll("_", " ");
 const shareOf = ({ accuracy }: Result) => percent(accuracy.mean);
 
-function beside({ baseline }: Result): string {
-  return baseline ? ` (nearest neighbour: ${percent(baseline.mean)})` : "";
+/** The chance of the result that the summary of the program states. */
+function chanceOf({ summary, protocols }: SystemReport, { protocol }: Result): number | null {
+  return summary && protocols[summary.protocol] === protocol ? summary.chance : null;
+}
+
+function beside({ accuracy, baseline }: Result, chance: number | null = null): string {
+  const parts = [
+    ...(accuracy.values.length > 1 ? [`± ${fixed((accuracy.sd ?? 0) * 100, 1)} %`] : []),
+    ...(baseline ? [`nearest neighbour: ${percent(baseline.mean)}`] : []),
+    ...(chance === null ? [] : [`by chance: ${percent(chance)}`]),
+  ];
+  return parts.length > 0 ? ` (${parts.join("; ")})` : "";
 }
 
 function summaryOfMany(systems: readonly SystemReport[]): string {

@@ -3,7 +3,7 @@
 import { element, fill, type Child } from "../../parts/dom";
 import { neuronWords } from "../../parts/maps/grid";
 import { capital, countOf } from "../../parts/numbers";
-import { valuesOf } from "./labels";
+import { shownMap, valuesOn } from "../maps/shown_map";
 import type { Samples } from "../moments/samples";
 import type { Selection } from "../page/selection";
 
@@ -18,18 +18,20 @@ export function wonSamples(selection: Selection, samples: Samples, onPlay: () =>
 }
 
 function listed(selection: Selection, samples: Samples, onPlay: () => void): Child[] {
-  const { protocol, run, neuron, system, label, grid } = selection;
-  if (!protocol || !run || !grid) return [];
+  const { protocol, run, neuron, system } = selection;
+  const shown = shownMap(selection);
+  if (!protocol || !run || !shown) return [];
   if (neuron === null) return [element("p", { class: "small muted" }, [kHint])];
-  const won = run.winners.flatMap((winner, sample) => (winner === neuron ? [sample] : []));
-  const words = `${capital(neuronWords(grid, neuron))} wins ${countOf(won.length, "sample")}.`;
-  const names = valuesOf(system, protocol, run, label);
+  const won = shown.winners.flatMap((winner, i) => (winner === neuron ? [i] : []));
+  const words = `${capital(neuronWords(shown.grid, neuron))} wins ${countOf(won.length, "sample")}.`;
+  const names = valuesOn(shown, selection);
   // The samples of other recordings have no readings, and some of a recording are not numbered as in it.
   const isWhole = run.winners.length === (system.samples ?? []).length;
   const isRecording = protocol.protocol !== "test_data" && isWhole && run.recording === system.recording;
-  const buttons = won.map((sample) => {
+  const buttons = won.map((i) => {
+    const sample = shown.samples[i] ?? i;
     const index = isRecording ? samples.placeOf(sample) : null;
-    if (index === null) return element("span", {}, [names?.[sample] ?? `sample ${sample + 1}`]);
+    if (index === null) return element("span", {}, [names?.[i] ?? `sample ${sample + 1}`]);
     const play = () => {
       samples.choose(index, true);
       onPlay();

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "somato/studies/results.h"
+
+namespace somato {
+
+/// The accuracy of a protocol on the label of the study, over its runs.
+struct MainResult {
+  std::size_t protocol = 0;  ///< Its number in PartResults::protocols.
+  double accuracy = 0.0;
+  double deviation = 0.0;          ///< The standard deviation over the runs; 0 for a single one.
+  std::optional<double> baseline;  ///< That of the nearest neighbour; empty: not measured.
+  double chance = 0.0;             ///< See accuracy_by_chance().
+};
+
+/// The result that a summary states: the lowest accuracy on samples that were held out, or else
+/// that of the training samples. Empty if no protocol measured it.
+std::optional<MainResult> main_result(const PartResults& part);
+
+/// The accuracy that is expected if the predicted classes are in random order, the mean over the
+/// runs. Empty without predictions.
+std::optional<double> accuracy_by_chance(const ProtocolResults& protocol);
+
+/// By how much the accuracy is below that of the nearest neighbour, from 0 to 1, if this is more
+/// than 0.05 and both are of samples that were held out; otherwise empty.
+std::optional<double> far_below_baseline(const ProtocolResults& protocol);
+
+/// Samples of a class for which another one was predicted.
+struct Confusion {
+  std::string label;      ///< The true class.
+  std::string predicted;  ///< The predicted one.
+  std::size_t count = 0;  ///< Over all runs.
+  std::size_t of = 0;     ///< All samples of the true class, over all runs.
+};
+
+/// The most frequent confusions, at most `most` of them, in descending order; of equal ones, the
+/// first in alphabetical order comes first.
+std::vector<Confusion> confusions(const ProtocolResults& protocol, std::size_t most);
+
+}  // namespace somato

@@ -1,0 +1,139 @@
+#include "studies/results/next_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "studies/results/main_result.h"
+
+namespace somato {
+namespace {
+
+constexpr const char* kOfBaseline = "docs/below-the-baseline.md";
+constexpr const char* kOfSuggestions = "docs/suggest.md";
+constexpr const char* kOfLive = "docs/live.md";
+constexpr const char* kOfData = "docs/your-data.md";
+
+// As a word of a shell's command.
+std::string word(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+=:,@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::vector<std::string> commands_of_suggestion(const std::string& data, const std::string& label) {
+  const std::string of_label = label == "object" ? "" : " --label " + word(label);
+  return {fmt::format("somato suggest {}{} -o suggested.toml", word(data), of_label),
+          fmt::format("somato run suggested.toml --data {} --out out/suggested", word(data))};
+}
+
+// Makes the proposals for one result.
+class Proposals {
+ public:
+  Proposals(const PartResults& part, const MainResult& result, ResultFiles files)
+      : part_(part),
+        protocol_(part.protocols[result.protocol]),
+        result_(result),
+        files_(std::move(files)) {
+    if (files_.data.empty() && !part.recordings.empty()) files_.data = part.recordings[0].name;
+  }
+
+  std::vector<NextStep> make() {
+    const bool is_near_chance = result_.accuracy < result_.chance + kLittle;
+    if (is_near_chance || result_.baseline.value_or(1.0) < kPoor) add_other_code(is_near_chance);
+    if (const auto below = far_below_baseline(protocol_)) add_settings(*below);
+    add_repetitions();
+    add_view();
+    add_application();
+    return std::move(steps_);
+  }
+
+ private:
+  static constexpr double kLittle = 0.1;
+  static constexpr double kPoor = 0.9;
+  static constexpr std::size_t kFew = 10;
+
+  void add_other_code(bool is_near_chance) {
+    const std::string reason = is_near_chance
+                                   ? "The accuracy is hardly above chance"
+                                   : "The nearest neighbour does not classify all samples either";
+    const bool is_suggested = part_.system == "suggested";
+    steps_.push_back(
+        {reason + ": the vectors are the reason, more than the map. " +
+             (is_suggested ? "Codes of these channels were compared already; add another sensor, "
+                             "or explore longer."
+                           : "Compare codes and combinations of the channels."),
+         is_suggested ? std::vector<std::string>()
+                      : commands_of_suggestion(files_.data, protocol_.label),
+         is_suggested ? kOfData : kOfSuggestions});
+  }
+
+  void add_settings(double below) {
+    steps_.push_back(
+        {fmt::format("The map is {:.0f} points below the nearest neighbour. In [module.map] of the "
+                     "study, set more iterations, a smaller radius_end or more neurons.",
+                     100.0 * below),
+         {},
+         kOfBaseline});
+  }
+
+  void add_repetitions() {
+    std::map<std::string, std::size_t> counts;
+    for (const std::string& label : protocol_.runs.front().labels) ++counts[label];
+    const auto fewest = std::min_element(
+        counts.begin(), counts.end(),
+        [](const auto& one, const auto& other) { return one.second < other.second; });
+    if (fewest == counts.end() || fewest->second >= kFew) return;
+    steps_.push_back(
+        {fmt::format("There are only {} samples of '{}'; one of all {} is {:.1f} points of the "
+                     "accuracy. Record more explorations.",
+                     fewest->second, fewest->first, protocol_.samples,
+                     100.0 / static_cast<double>(protocol_.samples)),
+         {},
+         kOfData});
+  }
+
+  void add_view() {
+    const auto most = confusions(protocol_, 1);
+    const std::string model = files_.model.empty() ? "" : " --model " + word(files_.model);
+    const std::string reason =
+        most.empty()
+            ? std::string("Play the recording with the readings of the map.")
+            : fmt::format("Play explorations of '{}' and '{}', and compare their readings.",
+                          most[0].label, most[0].predicted);
+    steps_.push_back(
+        {reason, {fmt::format("somato view {}{}", word(files_.data), model)}, kOfLive});
+  }
+
+  void add_application() {
+    if (files_.model.empty()) return;
+    steps_.push_back(
+        {"Classify new explorations by the saved system, in a file of your own "
+         "instead of this recording.",
+         {fmt::format("somato apply {} {}", word(files_.model), word(files_.data))},
+         ""});
+  }
+
+  const PartResults& part_;
+  const ProtocolResults& protocol_;
+  const MainResult& result_;
+  ResultFiles files_;
+  std::vector<NextStep> steps_;
+};
+
+}  // namespace
+
+std::vector<NextStep> next_steps(const PartResults& part, const ResultFiles& files) {
+  const bool is_given = !part.recordings.empty() && part.recordings.front().source == "given";
+  const auto result = main_result(part);
+  if (!is_given || !result) return {};
+  return Proposals(part, *result, files).make();
+}
+
+}  // namespace somato
