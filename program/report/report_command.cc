@@ -7,6 +7,7 @@
 
 #include "base/files/whole_file.h"
 #include "flags/commands.h"
+#include "flags/layout_flag.h"
 #include "flags/output.h"
 #include "report/model_files.h"
 #include "report/pages.h"
@@ -78,6 +79,7 @@ Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& f
   SOMATO_TRY(const auto named, named_model(arguments));
   SOMATO_TRY(auto recordings, recordings_for(arguments));
   SOMATO_TRY(auto things, report_things());
+  SOMATO_TRY(auto places, read_layout_flag(arguments));
   const ReportSources sources{SOMATO_VERSION,
                               [&](const std::string& hash) { return recordings.find(hash); },
                               [&](const std::string& results, const ModelFile& model) {
@@ -86,7 +88,8 @@ Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& f
                               arguments.has("data") ? arguments.text("data") : "",
                               std::move(things),
                               explore_units(),
-                              threads};
+                              threads,
+                              std::move(places)};
   return make_report(files, sources);
 }
 
@@ -140,6 +143,7 @@ Command report_command() {
                   "of RESULTS: a file, a folder of files, a data set, or a folder of data sets"),
        input_flag("--model",
                   "The trained system that RESULTS name, if it is no longer in their folder"),
+       layout_flag("with which the page draws a skin"),
        threads_flag()},
       {},
       run_report};

@@ -15,7 +15,7 @@ void expect_at(const SkinLayout& layout, std::size_t element, double x, double y
 TEST(SkinLayout, AFingerHasItsTipAboveItsProximalSegment) {
   const SkinLayout layout =
       skin_layout({"finger1_tip_1", "finger1_proximal_2", "finger1_proximal_1"}, 3, {});
-  ASSERT_TRUE(layout.is_hand());
+  ASSERT_FALSE(layout.is_grid);
   EXPECT_EQ(layout.fingers[0].name, "finger1");
   // One column of 1 and 0.28 at both sides; heights 2.56 and 1.56 with 0.2 between them.
   EXPECT_DOUBLE_EQ(layout.width, 1.56);
@@ -40,8 +40,8 @@ TEST(SkinLayout, NumberedElementsOfAFingerAreAtItsTip) {
   ASSERT_EQ(layout.fingers.size(), 2U);
   EXPECT_EQ(layout.fingers[0].name, "thumb");
   EXPECT_EQ(layout.segments.size(), 2U);
-  EXPECT_FALSE(skin_layout({"thumb", "ring"}, 2, {}).is_hand());
-  EXPECT_FALSE(skin_layout({"motor_1", "motor_2"}, 2, {}).is_hand());
+  EXPECT_TRUE(skin_layout({"thumb", "ring"}, 2, {}).is_grid);
+  EXPECT_TRUE(skin_layout({"motor_1", "motor_2"}, 2, {}).is_grid);
 }
 
 TEST(SkinLayout, SevenElementsOfASegmentAreTwoThreeTwo) {
@@ -59,12 +59,12 @@ TEST(SkinLayout, SevenElementsOfASegmentAreTwoThreeTwo) {
 
 TEST(SkinLayout, OtherNamesAreAGridByTheShape) {
   const SkinLayout layout = skin_layout({}, 6, {2, 1, 3, 1});
-  EXPECT_FALSE(layout.is_hand());
+  EXPECT_TRUE(layout.is_grid);
   EXPECT_DOUBLE_EQ(layout.width, 3);
   EXPECT_DOUBLE_EQ(layout.height, 2);
   expect_at(layout, 5, 2.5, 1.5);
-  EXPECT_FALSE(skin_layout({"finger1_tip", "wrist"}, 2, {}).is_hand());
-  EXPECT_FALSE(skin_layout({"_tip", "tip"}, 2, {}).is_hand());
+  EXPECT_TRUE(skin_layout({"finger1_tip", "wrist"}, 2, {}).is_grid);
+  EXPECT_TRUE(skin_layout({"_tip", "tip"}, 2, {}).is_grid);
 }
 
 TEST(SkinLayout, AFlatFrameIsAboutTwiceAsWideAsHigh) {
