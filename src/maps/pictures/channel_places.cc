@@ -10,6 +10,7 @@
 namespace somato {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
 Result<std::size_t> place_of(const std::string& name, const Names& names, const std::string& where) {
@@ -66,6 +67,14 @@ Result<std::vector<Point>> ordered(const ChannelPlaces& channel, const Names& na
   return places;
 }
 
+Json background_json(const SkinBackground& background) {
+  return {{"image", background.image},
+          {"x", background.corner.x},
+          {"y", background.corner.y},
+          {"width", background.width},
+          {"height", background.height}};
+}
+
 }  // namespace
 
 Result<SkinPlaces> places_for(const ChannelPlaces& channel, const Names& names) {
@@ -88,6 +97,31 @@ Result<void> check_channels(const std::vector<ChannelPlaces>& layout, const Name
   for (const ChannelPlaces& one : layout) {
     if (std::find(channels.begin(), channels.end(), one.channel) != channels.end()) continue;
     return fail(unknown_name("channel", one.channel, one.where, channels));
+  }
+  return {};
+}
+
+Json layout_json(const SkinPlaces& skin) {
+  Json places = Json::array();
+  for (const Point& place : skin.places) places.push_back({place.x, place.y});
+  Json groups = Json::array();
+  for (const SkinGroup& group : skin.groups) {
+    groups.push_back({{"name", group.name}, {"elements", group.elements}});
+  }
+  Json json{{"spacing", spacing_of(skin.places)},
+            {"places", std::move(places)},
+            {"groups", std::move(groups)},
+            {"background", nullptr}};
+  if (skin.background) json["background"] = background_json(*skin.background);
+  return json;
+}
+
+Result<void> add_places(const std::vector<ChannelPlaces>& layout, Json& channel) {
+  for (const ChannelPlaces& one : layout) {
+    if (channel["name"].get<std::string>() != one.channel) continue;
+    SOMATO_TRY(const auto skin,
+               places_for(one, channel["elements"].get<std::vector<std::string>>()));
+    channel["layout"] = layout_json(skin);
   }
   return {};
 }

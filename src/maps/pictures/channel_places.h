@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,5 +34,12 @@ Result<SkinPlaces> places_for(const ChannelPlaces& channel, const std::vector<st
 /// Checks that each channel of the layout is one of those. Errors (kUsage) name the nearest.
 Result<void> check_channels(const std::vector<ChannelPlaces>& layout,
                             const std::vector<std::string>& channels);
+
+/// As LayoutData of web/schema/parts.json.
+nlohmann::ordered_json layout_json(const SkinPlaces& skin);
+
+/// Adds the places of its elements to a channel, ChannelData of web/schema/parts.json, if the
+/// layout has a table for it. Errors: those of places_for().
+Result<void> add_places(const std::vector<ChannelPlaces>& layout, nlohmann::ordered_json& channel);
 
 }  // namespace somato

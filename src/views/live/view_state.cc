@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "maps/pictures/layout_json.h"
+#include "maps/pictures/channel_places.h"
 #include "recordings/explorations/recording_json.h"
 
 namespace somato::live {

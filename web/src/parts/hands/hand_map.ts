@@ -79,13 +79,10 @@ function draw(
   );
   const palm = options.palm && isHand ? palmBelow(layout.width * pitch, layout.height * pitch) : null;
   const layer = shape("g", { class: isGrid ? "map-cells" : "taxels" }, cells);
+  const aside = rounded((width - layout.width * pitch) / 2); // in the middle above a wider colour bar
+  const skin = [palm, backgroundOf(layout, pitch), ...bones, layer, ...names, rings];
   const inner = shape("g", { transform: `translate(${kMargin} ${kMargin})` }, [
-    palm,
-    backgroundOf(layout, pitch),
-    ...bones,
-    layer,
-    ...names,
-    rings,
+    shape("g", { transform: `translate(${aside} 0)` }, skin),
     bar.group,
   ]);
   const picture = svg(width + 2 * kMargin, below + kBar - 14 + 2 * kMargin, options.label, [inner]);

@@ -16,6 +16,7 @@ export interface Shown {
   senses: readonly ChannelData[];
 }
 
+const kAngles = new Set(["deg", "rad"]);
 const kNothing: Shown = { skins: [], senses: [] };
 
 /** The readings that are shown in place of the body ("stage") and beside it. */
@@ -23,10 +24,15 @@ export function readingsAt(place: Place, channels: readonly ChannelData[], hasBo
   const touch = channels.filter(({ name }) => name === "touch");
   if (hasBody && place === "stage") return kNothing;
   if (hasBody) return touch.length > 0 ? { skins: touch, senses: [] } : { skins: [], senses: channels };
-  const skins = channels.filter(isSkin);
-  const senses = channels.filter((one) => !isSkin(one));
+  const skins = channels.filter(isFelt);
+  const senses = channels.filter((one) => !isFelt(one));
   if (place === "stage") return skins.length > 0 ? { skins, senses: [] } : { skins: [], senses };
   return { skins: [], senses: skins.length > 0 ? senses : [] };
+}
+
+/** Joints may have the names of fingers, but are no skin. */
+function isFelt(channel: ChannelData): boolean {
+  return isSkin(channel) && (channel.layout !== undefined || !kAngles.has(channel.unit));
 }
 
 export class Readings {
