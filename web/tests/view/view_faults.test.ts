@@ -94,6 +94,7 @@ describe("when things go wrong", () => {
     await view.serve(state);
     view.server.setScene(null);
     await view.page.goto(view.server.address);
+    await firstFrame(view.page);
     const frame = fakeFrame(0, 30);
     frame.channels["touch"] = elements.map((_, i) => (i === 5 ? 4 : 0));
     view.server.send("frame", frame);
