@@ -218,12 +218,12 @@ def test_weights_on_a_skin_are_plotted_at_their_places(som, pad):
 
 def test_frames_are_drawn_at_the_places_of_a_layout(tmp_path):
     (tmp_path / "pad.toml").write_text("[layout.touch]\nplaces = [[0, 0], [9, 3], [0, 3]]\n")
-    recording = Recording.from_arrays({"touch": [np.float32([[1, 2, 3]])]}, {"object": ["cup"]})
+    recording = Recording.from_arrays({"object": ["cup"]}, {"touch": [np.float32([[1, 2, 3]])]})
     svg = recording.draw("touch", layout=tmp_path / "pad.toml").svg
     circles = ElementTree.fromstring(svg).findall(".//{http://www.w3.org/2000/svg}circle")
     x = [float(circle.get("cx")) for circle in circles]
     assert x[0] == x[2] < x[1]
-    with pytest.raises(pysomato.UsageError, match="there is no channel|unknown channel|'touch'"):
+    with pytest.raises(pysomato.UsageError, match="did you mean 'touhc'"):
         recording.draw("touch", layout=wrong_layout(tmp_path))
 
 
