@@ -5,7 +5,8 @@
 namespace somato::program {
 
 Flag layout_flag(const std::string& what) {
-  return input_flag("--layout", "TOML file with the places of the elements, [layout.CHANNEL], " + what);
+  return input_flag("--layout",
+                    "TOML file with the places of the elements, [layout.CHANNEL], " + what);
 }
 
 Result<std::vector<ChannelPlaces>> read_layout_flag(const Arguments& arguments) {

@@ -143,8 +143,7 @@ Command report_command() {
                   "of RESULTS: a file, a folder of files, a data set, or a folder of data sets"),
        input_flag("--model",
                   "The trained system that RESULTS name, if it is no longer in their folder"),
-       layout_flag("with which the page draws a skin"),
-       threads_flag()},
+       layout_flag("with which the page draws a skin"), threads_flag()},
       {},
       run_report};
 }

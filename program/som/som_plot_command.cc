@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/files/whole_file.h"
-#include "flags/commands.h"
 #include "base/text/text.h"
+#include "flags/commands.h"
 #include "flags/layout_flag.h"
 #include "maps/pictures/map_panels.h"
 #include "maps/pictures/weights_picture.h"
@@ -121,11 +121,10 @@ Result<std::size_t> chosen_neuron(const std::string& text, const Grid& grid) {
         place.size() == 2 && place[0] <= grid.rows() && place[1] <= grid.columns();
     if (is_inside) return (place[0] - 1) * grid.columns() + place[1] - 1;
   }
-  return fail(ErrorKind::kUsage, fmt::format("{} is not a neuron of the map", shown(text)),
-              "--neuron",
-              is_graph ? fmt::format("use a number from 1 to {}", grid.columns())
-                       : fmt::format("use ROW,COLUMN from 1,1 to {},{}", grid.rows(),
-                                     grid.columns()));
+  return fail(
+      ErrorKind::kUsage, fmt::format("{} is not a neuron of the map", shown(text)), "--neuron",
+      is_graph ? fmt::format("use a number from 1 to {}", grid.columns())
+               : fmt::format("use ROW,COLUMN from 1,1 to {},{}", grid.rows(), grid.columns()));
 }
 
 Result<void> check_skin_flags(const Arguments& arguments) {
@@ -199,8 +198,7 @@ Command som_plot_command() {
        fmt::format("Panels to draw, separated by commas: {}. Default: all possible with the data",
                    fmt::join(kPanels, ", "))});
   flags.push_back({"--components", "Maximum number of component planes. Default: 12"});
-  flags.push_back(
-      layout_flag("on which the weights of each neuron are drawn instead of panels"));
+  flags.push_back(layout_flag("on which the weights of each neuron are drawn instead of panels"));
   flags.push_back({"--neuron",
                    "With --layout: the only neuron to draw, as ROW,COLUMN from 1, or its number in "
                    "a map that grows"});

@@ -73,8 +73,7 @@ SkinInputs skin_inputs(const Map& map, const std::string& layout) {
 
 std::string weights_on_skin(const Map& map, const std::string& layout,
                             std::optional<std::size_t> neuron, const std::string& title) {
-  return value_or_throw(
-      draw_weights(map.model().som, skin_inputs(map, layout), neuron, title));
+  return value_or_throw(draw_weights(map.model().som, skin_inputs(map, layout), neuron, title));
 }
 
 /// The input of each element, and its x and y in mm.

@@ -13,7 +13,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
-Result<std::size_t> place_of(const std::string& name, const Names& names, const std::string& where) {
+Result<std::size_t> place_of(const std::string& name, const Names& names,
+                             const std::string& where) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return fail(unknown_name("element", name, where, names));
   return static_cast<std::size_t>(found - names.begin());

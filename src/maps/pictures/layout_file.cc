@@ -19,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostPlaces = 4096;
-constexpr double kGreatest = 1e6;            // mm
-constexpr double kWidest = 1000.0;           // times the distance between neighbours
+constexpr double kGreatest = 1e6;   // mm
+constexpr double kWidest = 1000.0;  // times the distance between neighbours
 constexpr std::size_t kLargestPicture = std::size_t{512} << 10;  // it is in every state of a view
 
 tl::unexpected<Error> refuse(std::string what, const std::string& where, std::string advice) {

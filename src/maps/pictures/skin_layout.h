@@ -29,7 +29,7 @@ struct SkinLayout {
   double width = 0.0;
   double height = 0.0;
   std::vector<Point> elements;
-  std::vector<Segment> segments;  ///< Of a hand, or the groups of given places.
+  std::vector<Segment> segments;  ///< Segments of a hand, or the groups of given places.
   std::vector<Finger> fingers;    ///< Likewise, with their names.
   std::optional<Background> background = {};
   bool is_grid = false;  ///< Whether the elements fill the cells of a grid.

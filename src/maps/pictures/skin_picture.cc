@@ -44,8 +44,8 @@ class SkinDrawing {
         layout_(layout_of(picture)),
         pitch_(std::clamp(kSkinWidth / layout_.width, 7.0, 30.0)),
         range_{picture.least, picture.greatest},
-        columns_(std::min(picture.frames.size(),
-                          picture.columns > 0 ? picture.columns : kMostColumns)) {
+        columns_(
+            std::min(picture.frames.size(), picture.columns > 0 ? picture.columns : kMostColumns)) {
     title_ = wrapped(picture.title, inner_width(), kBoldness * kTitleSize, 3);
     caption_ = wrapped(picture.caption, inner_width(), kCaptionSize, 8);
   }
@@ -97,7 +97,8 @@ class SkinDrawing {
 
   double frame_width() const { return std::max(kLeastWidth, layout_.width * pitch_); }
   double frame_height() const {
-    return kFrameTitleHeight + layout_.height * pitch_ + (layout_.fingers.empty() ? 0.0 : kNameHeight);
+    return kFrameTitleHeight + layout_.height * pitch_ +
+           (layout_.fingers.empty() ? 0.0 : kNameHeight);
   }
   double inner_width() const {
     return static_cast<double>(columns_) * (frame_width() + kGap) - kGap;

@@ -31,11 +31,11 @@ struct SkinPicture {
   std::vector<SkinFrame> frames{};  ///< At least one.
 };
 
-/// A standalone SVG picture: the elements at their places, with groups outlined and named; or on an unfolded hand if their names give their places
-/// (such as "finger1_proximal_3"), otherwise in a grid by the shape of the frame, each in the
-/// colour of its value, with a tooltip; missing values are outlined. Throws InvalidArgument without
-/// frames or elements, for sizes that differ (also of places), for values or limits that are not finite, and if
-/// `least` exceeds `greatest`.
+/// A standalone SVG picture: the elements at their places, with groups outlined and named; or on an
+/// unfolded hand if their names give their places (such as "finger1_proximal_3"), otherwise in a
+/// grid by the shape of the frame, each in the colour of its value, with a tooltip; missing values
+/// are outlined. Throws InvalidArgument without frames or elements, for sizes that differ (also of
+/// places), for values or limits that are not finite, and if `least` exceeds `greatest`.
 std::string draw_skin(const SkinPicture& picture);
 
 }  // namespace somato

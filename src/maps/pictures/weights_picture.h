@@ -16,7 +16,7 @@ inline constexpr std::size_t kMostNeuronsOnSkin = 400;
 /// Inputs of a map on a skin.
 struct SkinInputs {
   std::vector<std::size_t> inputs;  ///< The input of each element.
-  std::vector<std::string> names;   ///< Of each element.
+  std::vector<std::string> names;   ///< The name of each element.
   SkinPlaces skin;
 };
 
@@ -26,10 +26,10 @@ struct SkinInputs {
 Result<SkinInputs> inputs_on_skin(const Som& som, const std::vector<std::string>& names,
                                   const std::vector<ChannelPlaces>& layout);
 
-/// A standalone SVG picture of the weights of a map on a skin: of one neuron, or of each in the rows
-/// and columns of the map, all in one range of colours. Throws InvalidArgument for a neuron that is
-/// not on the map. Errors (kUsage): more than kMostNeuronsOnSkin neurons; weights that are not
-/// finite.
+/// A standalone SVG picture of the weights of a map on a skin: of one neuron, or of each in the
+/// rows and columns of the map, all in one range of colours. Throws InvalidArgument for a neuron
+/// that is not on the map. Errors (kUsage): more than kMostNeuronsOnSkin neurons; weights that are
+/// not finite.
 Result<std::string> draw_weights(const Som& som, const SkinInputs& elements,
                                  std::optional<std::size_t> neuron, const std::string& title);
 

@@ -31,8 +31,7 @@ Range range_of(std::span<const double> numbers) {
 }
 
 // The lower byte first.
-std::string integers_of(std::span<const double> numbers, const Range& range,
-                                      PackedBits bits) {
+std::string integers_of(std::span<const double> numbers, const Range& range, PackedBits bits) {
   const std::uint32_t missing = bits == PackedBits::k8 ? 0xFF : 0xFFFF;
   const double scale = range.high > range.low ? (missing - 1) / (range.high - range.low) : 0.0;
   std::string bytes;

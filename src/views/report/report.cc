@@ -142,11 +142,11 @@ class ReportWriter {
       curves.push_back(std::move(curve));
     }
     Json json = {{"version", kVersion},         {"somato", sources_.version},
-                       {"systems", systems_},         {"claims", claims_},
-                       {"curves", std::move(curves)}, {"moments", moments_.list()}};
+                 {"systems", systems_},         {"claims", claims_},
+                 {"curves", std::move(curves)}, {"moments", moments_.list()}};
     if (!placed_.empty()) json["placed"] = placed_;
     return Report{json.dump(-1, ' ', false, Json::error_handler_t::replace), systems_.size(),
-            claims_.size(), missing_};
+                  claims_.size(), missing_};
   }
 
  private:

@@ -55,7 +55,7 @@ struct ReportSources {
   std::map<std::string, std::string>
       units;  ///< The units of settings, such as "explore.simulation.noise".
   std::size_t threads = 1;
-  std::vector<ChannelPlaces> places = {};  ///< Of elements of channels, from a layout file.
+  std::vector<ChannelPlaces> places = {};  ///< Places of elements, from a layout file.
 };
 
 /// A report, before it is embedded in a page.

@@ -69,8 +69,8 @@ struct ViewSource {
   /// The file in which the explorations of the body are saved, or nullptr; must outlive the
   /// session.
   GrowingRecording* file = nullptr;
-  SceneFinder scenes = {};  ///< For recordings; may be empty.
-  std::vector<ChannelPlaces> places = {};  ///< Of elements of channels, from a layout file.
+  SceneFinder scenes = {};                 ///< For recordings; may be empty.
+  std::vector<ChannelPlaces> places = {};  ///< Places of elements, from a layout file.
   /// Takes what the first of the systems says, which is then the only one; may be empty.
   live::ReadingSink readings = {};
   std::vector<ViewSystem> systems = {};

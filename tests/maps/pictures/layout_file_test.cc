@@ -29,13 +29,14 @@ class LayoutFile : public ::testing::Test {
   void expect_error(const std::string& text, const std::string& line, const Names& parts) const {
     const std::string error = error_of(text);
     EXPECT_NE(error.find("pad.toml" + (line.empty() ? "" : ":" + line)), std::string::npos)
-        << text << "\n" << error;
+        << text << "\n"
+        << error;
     for (const std::string& part : parts) {
       EXPECT_NE(error.find(part), std::string::npos) << text << "\n" << error;
     }
   }
 
-  // Of one channel with three places.
+  // The table of one channel with three places.
   static std::string with(const std::string& more) {
     return "[layout.touch]\nplaces = [[0, 0], [4, 0], [0, 3.5]]\n" + more;
   }

@@ -127,9 +127,8 @@ TEST(SkinLayout, NamesWithAHoleOrTwiceAreInNoGrid) {
 }
 
 TEST(SkinLayout, GivenPlacesAreInDistancesBetweenNeighbours) {
-  const SkinPlaces skin{{{10, 4}, {12, 4}, {10, 8}},
-                        {{"top", {0, 1}}},
-                        SkinBackground{"data:", {8, 4}, 4, 8}};
+  const SkinPlaces skin{
+      {{10, 4}, {12, 4}, {10, 8}}, {{"top", {0, 1}}}, SkinBackground{"data:", {8, 4}, 4, 8}};
   const SkinLayout layout = skin_layout(skin);
   EXPECT_FALSE(layout.is_grid);
   expect_at(layout, 0, 1.75, 0.75);  // 1 from the corner of the picture, and 0.75 around all

@@ -20,7 +20,7 @@ Som two_neurons() {
   return Som(resolve(p, 3, 1).value(), Matrix<float>(2, 3, {0, 1, 2, 4, 3, 2}));
 }
 
-// Of two elements, one above the other.
+// Two elements, one above the other.
 std::vector<ChannelPlaces> two_places(const std::vector<std::string>& elements) {
   return {{"touch", "pad.toml:1", elements, {{0, 0}, {0, 5}}, {}, {}}};
 }
@@ -49,9 +49,10 @@ TEST(WeightsPicture, ElementsAreInputsByName) {
   const auto picture = drawn({"a", "b", "c"}, two_places({"c", "a"}));
   EXPECT_EQ(fills_of(picture),
             (std::vector<std::string>{colour(0.5), colour(0), colour(0.5), colour(1)}));
-  EXPECT_EQ(texts(test::read_xml(*picture).value()),
-            (std::vector<std::string>{"a map", "Weights of 1 x 2 neurons, rectangular plane on the skin",
-                                      "row 1, column 1", "row 1, column 2", "0", "4"}));
+  EXPECT_EQ(
+      texts(test::read_xml(*picture).value()),
+      (std::vector<std::string>{"a map", "Weights of 1 x 2 neurons, rectangular plane on the skin",
+                                "row 1, column 1", "row 1, column 2", "0", "4"}));
 }
 
 TEST(WeightsPicture, MayBeOfOneNeuron) {

@@ -44,7 +44,8 @@ TEST_F(View, RefusesWhatItCannotShow) {
 TEST_F(View, RefusesALayoutOfAnotherSkin) {
   record();
   write("pad.toml", "[layout.touch]\nplaces = [[0, 0]]\n");
-  expect_refused(2, {{{"view", "pressed.mcap", "--layout", "pad.toml"}, {"pad.toml:1", "'touch'"}}});
+  expect_refused(2,
+                 {{{"view", "pressed.mcap", "--layout", "pad.toml"}, {"pad.toml:1", "'touch'"}}});
 }
 
 // The port of the address that is printed, such as http://127.0.0.1:8080/?token=...
