@@ -14,6 +14,7 @@ namespace {
 Result<void> check_places(const std::vector<ChannelPlaces>& places,
                           const Exploration& exploration) {
   std::vector<std::string> names;
+  names.reserve(exploration.channels.size());
   for (const Channel& channel : exploration.channels) names.push_back(channel.name);
   SOMATO_TRY_VOID(check_channels(places, names));
   for (const Channel& channel : exploration.channels) {
