@@ -8,6 +8,7 @@
 
 #include "base/files/whole_file.h"
 #include "explore/exploring_body.h"
+#include "flags/layout_flag.h"
 #include "flags/output.h"
 #include "report/model_files.h"
 #include "report/pages.h"
@@ -79,6 +80,7 @@ Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& f
   SOMATO_TRY(const auto named, named_model(arguments));
   SOMATO_TRY(auto recordings, recordings_for(arguments, files));
   SOMATO_TRY(const auto objects, read_objects(arguments));
+  SOMATO_TRY(auto places, read_layout_flag(arguments));
   const ReportSources sources{SOMATO_VERSION,
                               [&](const std::string& hash) { return recordings.find(hash); },
                               [&](const std::string& results, const ModelFile& model) {
@@ -89,7 +91,8 @@ Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& f
                               things_in(objects),
                               built_in_things(),
                               explore_units(),
-                              threads};
+                              threads,
+                              std::move(places)};
   return make_report(files, sources);
 }
 
@@ -126,7 +129,7 @@ std::vector<Flag> report_source_flags() {
           input_flag("--objects",
                      "TOML file with the objects and materials that were explored, for their "
                      "pictures and properties"),
-          threads_flag()};
+          layout_flag("with which the page draws a skin"), threads_flag()};
 }
 
 Result<MadeReport> made_report(const Arguments& arguments, const std::vector<std::string>& paths) {

@@ -5,8 +5,11 @@
 #include <utility>
 
 #include "base/files/whole_file.h"
+#include "base/text/text.h"
 #include "flags/commands.h"
+#include "flags/layout_flag.h"
 #include "maps/pictures/map_panels.h"
+#include "maps/pictures/weights_picture.h"
 #include "som/column_report.h"
 #include "som/data.h"
 #include "som/map_and_rows.h"
@@ -104,13 +107,64 @@ Result<void> check_ending(const std::string& output) {
   return {};
 }
 
+// --neuron: ROW,COLUMN from 1, or the number of a neuron of a graph.
+Result<std::size_t> chosen_neuron(const std::string& text, const Grid& grid) {
+  ParameterInfo info;
+  info.name = "neuron";
+  info.type = "list of integer";
+  info.range = Range::at_least(1);
+  std::vector<std::size_t> place;
+  const bool is_graph = grid.graph() != nullptr;
+  if (detail::Field<std::vector<std::size_t>>::read(info, value_from_text(info, text), place)) {
+    if (place.size() == 1 && is_graph) place.insert(place.begin(), 1);
+    const bool is_inside =
+        place.size() == 2 && place[0] <= grid.rows() && place[1] <= grid.columns();
+    if (is_inside) return (place[0] - 1) * grid.columns() + place[1] - 1;
+  }
+  return fail(
+      ErrorKind::kUsage, fmt::format("{} is not a neuron of the map", shown(text)), "--neuron",
+      is_graph ? fmt::format("use a number from 1 to {}", grid.columns())
+               : fmt::format("use ROW,COLUMN from 1,1 to {},{}", grid.rows(), grid.columns()));
+}
+
+Result<void> check_skin_flags(const Arguments& arguments) {
+  const bool has_layout = arguments.has("layout");
+  if (arguments.has("neuron") && !has_layout) {
+    return fail(ErrorKind::kUsage, "has no effect without --layout", "--neuron", "add --layout");
+  }
+  for (const std::string flag : {"panels", "components"}) {
+    if (!has_layout || !arguments.has(flag)) continue;
+    return fail(ErrorKind::kUsage, "has no effect on a picture of weights on a skin", "--" + flag,
+                "omit it, or --layout");
+  }
+  if (!has_layout || !has_data(arguments)) return {};
+  return fail(ErrorKind::kUsage, "a picture of weights on a skin shows no data", "DATA",
+              "omit it, or --layout");
+}
+
+// The weights on a skin, instead of panels.
+Result<void> plot_skin(const Arguments& arguments) {
+  SOMATO_TRY(const auto layout, read_layout_flag(arguments));
+  SOMATO_TRY(const auto model, load_som_model(arguments.text("MAP")));
+  std::optional<std::size_t> neuron;
+  if (arguments.has("neuron")) {
+    SOMATO_TRY(neuron, chosen_neuron(arguments.text("neuron"), model.som.grid()));
+  }
+  const std::string title = std::filesystem::path(arguments.text("MAP")).filename().string();
+  SOMATO_TRY(const auto elements, inputs_on_skin(model.som, model.features, layout));
+  SOMATO_TRY(const auto picture, draw_weights(model.som, elements, neuron, title));
+  return save_whole(arguments.text("output"), picture);
+}
+
 Result<void> plot(const Arguments& arguments) {
   SOMATO_TRY_VOID(refuse_several_processes("som plot"));
   SOMATO_TRY_VOID(check_ending(arguments.text("output")));
+  SOMATO_TRY_VOID(check_skin_flags(arguments));
+  SOMATO_TRY_VOID(check_data_flags(arguments));
+  if (arguments.has("layout")) return plot_skin(arguments);
   SOMATO_TRY(auto chosen, chosen_panels(arguments));
   SOMATO_TRY(auto most, arguments.number("components", 0));
   SOMATO_TRY_VOID(check_panels(arguments, chosen));
-  SOMATO_TRY_VOID(check_data_flags(arguments));
   SOMATO_TRY(auto both, read_map_and_perhaps_rows(arguments));
   const Som& som = both.model.som;
   std::vector<Panel> panels;
@@ -144,9 +198,13 @@ Command som_plot_command() {
        fmt::format("Panels to draw, separated by commas: {}. Default: all possible with the data",
                    fmt::join(kPanels, ", "))});
   flags.push_back({"--components", "Maximum number of component planes. Default: 12"});
+  flags.push_back(layout_flag("on which the weights of each neuron are drawn instead of panels"));
+  flags.push_back({"--neuron",
+                   "With --layout: the only neuron to draw, as ROW,COLUMN from 1, or its number in "
+                   "a map that grows"});
   flags.push_back(memory_flag());
   return {"som plot",
-          "Draw a map: U-matrix, hits, labels and component planes",
+          "Draw a map: U-matrix, hits, labels and component planes, or its weights on a skin",
           {{"MAP", "A trained map", true},
            data_positional("NPY file or text, as for training, for hits and labels", false)},
           std::move(flags),

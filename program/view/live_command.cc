@@ -10,12 +10,14 @@
 #include "explore/session_recording.h"
 #include "explore/topics.h"
 #include "flags/commands.h"
+#include "flags/layout_flag.h"
 #include "study/system_fit.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
 #include "view/live_source.h"
 #include "view/planned_names.h"
 #include "view/reading_session.h"
+#include "view/view_layout.h"
 #include "view/view_serving.h"
 #include "view/view_systems.h"
 #include "views/live/view_session.h"
@@ -30,7 +32,7 @@ void print_note(const std::string& text) {
 }
 
 Result<void> check_output_flags(const Arguments& arguments) {
-  for (const std::string flag : {"port", "address", "allow-others", "names", "each"}) {
+  for (const std::string flag : {"port", "address", "allow-others", "names", "each", "layout"}) {
     if (!arguments.has(flag) || arguments.has("view")) continue;
     return fail(ErrorKind::kUsage, "has no effect without the view", "--" + flag, "add --view");
   }
@@ -91,6 +93,7 @@ Result<void> save_taught(const Arguments& arguments, const ReadingSession& readi
 Result<ViewSource> read_live_source(const Arguments& arguments) {
   SOMATO_TRY(auto system, read_model(arguments.text("model")));
   SOMATO_TRY(auto source, live_source(arguments));
+  SOMATO_TRY_VOID(add_layout(arguments, source));
   if (source.layout) {
     SOMATO_TRY_VOID(check_fit(system.trained->system, *source.layout, arguments.text("recording")));
   }
@@ -200,6 +203,7 @@ Command live_command() {
         "the first viewer, or with --device after a press of Start, and the view stays open until "
         "Ctrl-C",
         false, false},
+       layout_flag("with which the page draws a skin"),
        page_memory_flag()},
       {},
       run_live};

@@ -16,10 +16,12 @@
 #include "explore/session_recording.h"
 #include "explore/topics.h"
 #include "flags/commands.h"
+#include "flags/layout_flag.h"
 #include "recordings/study_data.h"
 #include "terminal/terminal.h"
 #include "view/browser.h"
 #include "view/planned_names.h"
+#include "view/view_layout.h"
 #include "view/view_preparation.h"
 #include "view/view_rendering.h"
 #include "view/view_serving.h"
@@ -134,6 +136,7 @@ Result<ViewSource> read_source(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_flags(arguments));
   auto source = has_body(arguments) ? viewed_body_source(arguments) : recording_source(arguments);
   if (!source) return source;
+  SOMATO_TRY_VOID(add_layout(arguments, *source));
   if (arguments.has("model")) {
     SOMATO_TRY(auto model, trained_system(arguments.text("model")));
     source->systems.insert(source->systems.begin(), std::move(model));
@@ -227,6 +230,7 @@ Command view_command() {
        every_flag(),
        input_flag("--model",
                   "Trained system that evaluates the explorations, saved by 'somato run'"),
+       layout_flag("with which the page draws a skin"),
        page_memory_flag()},
       {},
       run_view};

@@ -107,6 +107,33 @@ class MapData:
                 picture.add_components(_count(components, where))
         return Drawing(picture.svg(title))
 
+    def draw_skin(self, layout, neuron, title, where):
+        """An SVG picture of the weights of one neuron, or of each, on the skin of a layout file."""
+        if neuron is not None:
+            neuron = self._neuron(neuron, where)
+        return Drawing(_somato.weights_on_skin(self.map, os.fspath(layout), neuron, title))
+
+    def plot_skin(self, layout, neuron, ax, where):
+        """Draws the weights of one neuron, or the means of all, on axes of matplotlib."""
+        inputs, x, y = _somato.places_of_inputs(self.map, os.fspath(layout))
+        weights = self.map.weights()
+        values = weights.mean(axis=0) if neuron is None else weights[self._neuron(neuron, where)]
+        axes = _axes_of(ax)
+        points = axes.scatter(x, y, c=values[inputs], s=120)
+        if not axes.yaxis_inverted():
+            axes.invert_yaxis()
+        axes.set(title="Mean weights" if neuron is None else f"Weights of neuron {neuron}",
+                 xlabel="mm", ylabel="mm", aspect="equal")
+        axes.figure.colorbar(points, ax=axes)
+        return axes
+
+    def _neuron(self, neuron, where):
+        neurons = len(self.map.weights())
+        if isinstance(neuron, (int, np.integer)) and 0 <= neuron < neurons:
+            return int(neuron)
+        raise UsageError(f"{neuron!r} is not the number of a neuron", where,
+                         f"neurons are counted from 0 in rows, as in winners_; the map has {neurons}")
+
     def plot(self, panel, ax, where):
         """Draws the cells of one panel on axes of matplotlib; panel may be a column, by its name or number."""
         if isinstance(panel, str) and panel not in PANELS and panel in self.map.features:
@@ -180,7 +207,7 @@ class MapData:
         return None
 
 
-def skin(title, description, frames, limits, where):
+def skin(title, description, frames, limits, where, layout=None):
     """An SVG picture of frames of a channel.
 
     Args:
@@ -189,6 +216,7 @@ def skin(title, description, frames, limits, where):
         frames: Tuples (title, values, valid or None).
         limits: The values with the first and the last colour.
         where: The place in messages.
+        layout: A layout file, or None.
     """
     least, greatest = (float(limit) for limit in limits)
     if not (np.isfinite(least) and np.isfinite(greatest) and least <= greatest):
@@ -196,6 +224,8 @@ def skin(title, description, frames, limits, where):
                          "give two finite numbers, the lesser one first")
     picture = _somato.Skin(title, description["element_names"], description["shape"],
                            description["unit"], least, greatest)
+    if layout is not None:
+        picture.place(os.fspath(layout), description["name"])
     for name, values, valid in frames:
         marks = np.ones(0, np.uint8) if valid is None else np.ascontiguousarray(valid).ravel()
         picture.add_frame(name, np.ascontiguousarray(values).ravel(), marks)

@@ -134,9 +134,10 @@ class Recording:
         """Which values were measured: uint8 like the frames, or None if all were."""
         return _somato.valid(self._inner, channel)
 
-    def draw(self, channel, exploration=0, frames=-1, *, limits=None) -> Drawing:
-        """Frames of a channel at the places of its elements: an unfolded hand if the names of the
-        elements are those of fingers (``finger1_proximal_3``), otherwise a grid by their shape.
+    def draw(self, channel, exploration=0, frames=-1, *, limits=None, layout=None) -> Drawing:
+        """Frames of a channel at the places of its elements: those of a layout file, an unfolded
+        hand if the names of the elements are those of fingers (``finger1_proximal_3``), otherwise a
+        grid by their shape or by two indices of their names (``t00``).
 
         Args:
             channel: The name of the channel.
@@ -144,9 +145,11 @@ class Recording:
             frames: The number of a frame, or a list; negative ones count from the end.
             limits: The values with the first and the last colour; None: the least and the greatest
                 measured value of the exploration.
+            layout: The path of a layout file with a table for the channel.
 
         Raises:
-            UsageError: There is no such channel, exploration or frame, or the limits are wrong.
+            UsageError: There is no such channel, exploration or frame, the limits are wrong, or the
+                layout does not fit the channel.
         """
         all_frames = self[channel]
         place = _place(exploration, len(all_frames), "exploration")
@@ -163,7 +166,7 @@ class Recording:
         labels = ", ".join(f"{name} {value}" for name, value in self._inner.labels()[place].items())
         description = next(one for one in self.channels if one["name"] == channel)
         return skin(f"{channel}: {labels}" if labels else channel, description, shown, limits,
-                    "Recording.draw(limits)")
+                    "Recording.draw(limits)", layout)
 
     def write(self, path) -> None:
         """Writes an MCAP file (docs/formats/recording.md); an earlier one is replaced when all is

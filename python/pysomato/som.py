@@ -224,7 +224,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         check_fitted(self, "map_")
         return self.map_.u_matrix()
 
-    def draw(self, panels=None, X=None, y=None, *, title="SOM", components=12) -> Drawing:
+    def draw(self, panels=None, X=None, y=None, *, title="SOM", components=12,
+             layout=None, neuron=None) -> Drawing:
         """The pictures that ``somato som plot`` draws, as SVG, which a notebook shows.
 
         Args:
@@ -235,29 +236,42 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
             y: Their labels.
             title: The title of the picture.
             components: Maximum number of component planes.
+            layout: The path of a layout file: the weights of each neuron are drawn on this skin
+                instead of panels.
+            neuron: With a layout, the number of the only neuron to draw, as in ``winners_``.
 
         Raises:
-            UsageError: A panel is unknown, or its data are missing.
+            UsageError: A panel is unknown, or its data are missing; the layout does not fit the
+                columns.
         """
+        if _on_skin(layout, neuron, (panels, X, y), "SOM.draw"):
+            return self._data(None, None).draw_skin(layout, neuron, title, "SOM.draw")
         return self._data(X, y).draw(panels, title, components, "SOM.draw")
 
-    def plot(self, panel="u_matrix", X=None, y=None, *, ax=None):
+    def plot(self, panel=None, X=None, y=None, *, ax=None, layout=None, neuron=None):
         """Draws one panel on axes of matplotlib (``pip install 'pysomato[matplotlib]'``).
 
         Args:
             panel: As for ``draw``; instead of ``components`` a column: its name, or its number from 0.
+                None: ``u_matrix``.
             X: As for ``draw``.
             y: As for ``draw``.
             ax: The axes; None: those of a new figure.
+            layout: The path of a layout file: weights are drawn on this skin instead of a panel.
+            neuron: With a layout, the number of the neuron, as in ``winners_``; None: the means of
+                all neurons.
 
         Returns:
-            The axes. A unit is the width of a cell, and the first row is at the top.
+            The axes. A unit is the width of a cell, and the first row is at the top; with a layout
+            it is 1 mm.
 
         Raises:
             ImportError: matplotlib is not installed.
             UsageError: The panel is unknown, or its data are missing.
         """
-        return self._data(X, y).plot(panel, ax, "SOM.plot")
+        if _on_skin(layout, neuron, (panel, X, y), "SOM.plot"):
+            return self._data(None, None).plot_skin(layout, neuron, ax, "SOM.plot")
+        return self._data(X, y).plot("u_matrix" if panel is None else panel, ax, "SOM.plot")
 
     def save(self, path) -> None:
         """Writes the map to a model file, which ``somato som map`` reads as well."""
@@ -382,3 +396,13 @@ def _of_unknown_labels(names, known):
     return (f"the map knows no label of y ({texts[0]}), so that the score is 0; its labels are "
             f"{texts[1]}. Folds of samples that are sorted by class need "
             "cv=StratifiedKFold(n), or GroupKFold with a group for each trial")
+
+
+def _on_skin(layout, neuron, others, where):
+    """Whether a skin is drawn; it shows weights only."""
+    if layout is None and neuron is not None:
+        raise UsageError("neuron has no effect without a layout", where, "pass layout=FILE")
+    if layout is not None and any(one is not None for one in others):
+        raise UsageError("a picture of weights on a skin has no panels and no samples", where,
+                         "omit panel, X and y, or the layout")
+    return layout is not None

@@ -200,3 +200,54 @@ def test_without_matplotlib_a_plot_says_what_to_install(som, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
     with pytest.raises(ImportError, match=r"pip install 'pysomato\[matplotlib\]'"):
         som.plot()
+
+
+@pytest.fixture
+def pad(tmp_path, X):
+    """A layout file of all columns but the first, in the opposite order."""
+    columns = X.shape[1]
+    places = [[4 * i, 3] for i in range(1, columns)]
+    names = [f"'{column}'" for column in range(columns, 1, -1)]
+    (tmp_path / "pad.toml").write_text(
+        f"[layout.touch]\nplaces = {places}\nelements = [{', '.join(names)}]\n")
+    return tmp_path / "pad.toml"
+
+
+def test_weights_on_a_skin_are_drawn_as_by_the_program(somato, som, files, pad):
+    for flags, options in ([(), {}], [("--neuron", "2,3"), {"neuron": 6}]):
+        somato("som", "plot", files / "map.somato", "--layout", pad, "-o", files / "skin.svg", *flags)
+        drawing = som.draw(layout=pad, title="map.somato", **options)
+        assert drawing.svg == (files / "skin.svg").read_text()
+        assert drawing.svg.count("row 2, column 3") == 1
+    with pytest.raises(pysomato.UsageError, match="no panels"):
+        som.draw("hits", layout=pad)
+    with pytest.raises(pysomato.UsageError, match="without a layout"):
+        som.draw(neuron=1)
+    with pytest.raises(pysomato.UsageError, match="the map has 12"):
+        som.draw(layout=pad, neuron=12)
+
+
+def test_weights_on_a_skin_are_plotted_at_their_places(som, pad):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    points = som.plot(layout=pad, neuron=6).collections[0]
+    np.testing.assert_array_equal(points.get_array(), som.weights_[6, :0:-1])
+    assert points.get_offsets()[1].tolist() == [8, 3]
+    means = som.plot(layout=pad).collections[0].get_array()
+    np.testing.assert_allclose(means, som.weights_[:, :0:-1].mean(axis=0))
+
+
+def test_frames_are_drawn_at_the_places_of_a_layout(tmp_path):
+    (tmp_path / "pad.toml").write_text("[layout.touch]\nplaces = [[0, 0], [9, 3], [0, 3]]\n")
+    recording = Recording.from_arrays({"object": ["cup"]}, {"touch": [np.float32([[1, 2, 3]])]})
+    svg = recording.draw("touch", layout=tmp_path / "pad.toml").svg
+    circles = ElementTree.fromstring(svg).findall(".//{http://www.w3.org/2000/svg}circle")
+    x = [float(circle.get("cx")) for circle in circles]
+    assert x[0] == x[2] < x[1]
+    with pytest.raises(pysomato.UsageError, match="did you mean 'touhc'"):
+        recording.draw("touch", layout=wrong_layout(tmp_path))
+
+
+def wrong_layout(folder):
+    (folder / "wrong.toml").write_text("[layout.touhc]\nplaces = [[0, 0], [9, 3], [0, 3]]\n")
+    return folder / "wrong.toml"

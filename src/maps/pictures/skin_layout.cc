@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "maps/pictures/grid_layout.h"
+
 namespace somato {
 namespace {
 
@@ -177,36 +179,12 @@ SkinLayout hand_layout(const std::vector<Part>& parts) {
   return layout;
 }
 
-std::size_t grid_columns(std::size_t count, const std::vector<std::size_t>& shape) {
-  std::vector<std::size_t> axes;
-  std::copy_if(shape.begin(), shape.end(), std::back_inserter(axes),
-               [](std::size_t length) { return length > 1; });
-  const auto wide =
-      static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count) * 2.0)));
-  return std::clamp<std::size_t>(axes.size() > 1 ? axes.back() : wide, 1, count);
-}
-
-SkinLayout grid_layout(std::size_t count, const std::vector<std::size_t>& shape) {
-  const std::size_t columns = grid_columns(count, shape);
-  SkinLayout layout;
-  layout.width = static_cast<double>(columns);
-  const std::size_t rows = (count + columns - 1) / columns;
-  layout.height = static_cast<double>(rows);
-  layout.elements.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t row = i / columns;
-    layout.elements.push_back(
-        {static_cast<double>(i % columns) + 0.5, static_cast<double>(row) + 0.5});
-  }
-  return layout;
-}
-
 }  // namespace
 
 SkinLayout skin_layout(const std::vector<std::string>& names, std::size_t count,
                        const std::vector<std::size_t>& shape) {
   const auto parts = parts_of(names);
-  return parts ? hand_layout(*parts) : grid_layout(count, shape);
+  return parts ? hand_layout(*parts) : grid_layout(names, count, shape);
 }
 
 }  // namespace somato

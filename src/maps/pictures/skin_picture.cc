@@ -26,6 +26,8 @@ void check(const SkinPicture& picture) {
           "the limits of the colours must be finite and in order");
   for (const SkinFrame& frame : picture.frames) {
     require(frame.values.size() == elements, "frames must have the same elements");
+    require(!picture.places || picture.places->places.size() == elements,
+            "a frame needs one place per element");
     require(frame.valid.empty() || frame.valid.size() == elements,
             "a frame needs one mark per element for missing values");
     require(std::all_of(frame.values.begin(), frame.values.end(),
@@ -39,11 +41,11 @@ class SkinDrawing {
  public:
   explicit SkinDrawing(const SkinPicture& picture)
       : picture_(picture),
-        layout_(skin_layout(picture.element_names, picture.frames.front().values.size(),
-                            picture.shape)),
+        layout_(layout_of(picture)),
         pitch_(std::clamp(kSkinWidth / layout_.width, 7.0, 30.0)),
         range_{picture.least, picture.greatest},
-        columns_(std::min(picture.frames.size(), kMostColumns)) {
+        columns_(
+            std::min(picture.frames.size(), picture.columns > 0 ? picture.columns : kMostColumns)) {
     title_ = wrapped(picture.title, inner_width(), kBoldness * kTitleSize, 3);
     caption_ = wrapped(picture.caption, inner_width(), kCaptionSize, 8);
   }
@@ -78,6 +80,11 @@ class SkinDrawing {
   static constexpr std::size_t kMostColumns = 4;
   static constexpr std::size_t kMostTooltips = 2500;
 
+  static SkinLayout layout_of(const SkinPicture& picture) {
+    if (picture.places) return skin_layout(*picture.places);
+    return skin_layout(picture.element_names, picture.frames.front().values.size(), picture.shape);
+  }
+
   static double line_height(double size) { return std::ceil(size * 1.35); }
 
   static void write(SvgWriter& svg, double top, const std::vector<std::string>& lines,
@@ -90,7 +97,8 @@ class SkinDrawing {
 
   double frame_width() const { return std::max(kLeastWidth, layout_.width * pitch_); }
   double frame_height() const {
-    return kFrameTitleHeight + layout_.height * pitch_ + (layout_.is_hand() ? kNameHeight : 0.0);
+    return kFrameTitleHeight + layout_.height * pitch_ +
+           (layout_.fingers.empty() ? 0.0 : kNameHeight);
   }
   double inner_width() const {
     return static_cast<double>(columns_) * (frame_width() + kGap) - kGap;
@@ -112,15 +120,25 @@ class SkinDrawing {
     write_line(svg, {0, kFrameTitleSize}, frame.title, frame_width(),
                {.size = kFrameTitleSize, .bold = true});
     svg.open_group("skin", {(frame_width() - layout_.width * pitch_) / 2, kFrameTitleHeight});
+    draw_background(svg);
     draw_segments(svg);
     for (std::size_t i = 0; i < frame.values.size(); ++i) draw_element(svg, frame, i);
     svg.close_group();
   }
 
+  void draw_background(SvgWriter& svg) const {
+    if (!layout_.background) return;
+    const auto& [corner, width, height] = layout_.background->box;
+    svg.image({corner.x * pitch_, corner.y * pitch_}, width * pitch_, height * pitch_,
+              layout_.background->image);
+  }
+
+  // Over a picture, groups are outlined only.
   void draw_segments(SvgWriter& svg) const {
+    const std::string fill = layout_.background ? "none" : "#eeeeee";
     for (const SkinLayout::Segment& segment : layout_.segments) {
       svg.rectangle({segment.corner.x * pitch_, segment.corner.y * pitch_}, segment.width * pitch_,
-                    segment.height * pitch_, {.fill = "#eeeeee", .stroke = "#bbbbbb"});
+                    segment.height * pitch_, {.fill = fill, .stroke = "#bbbbbb"});
     }
     for (const SkinLayout::Finger& finger : layout_.fingers) {
       svg.text({finger.foot.x * pitch_, finger.foot.y * pitch_ + kNameSize + 4}, finger.name,
@@ -132,7 +150,7 @@ class SkinDrawing {
     const Point at{layout_.elements[element].x * pitch_, layout_.elements[element].y * pitch_};
     const std::string tooltip =
         frame.values.size() <= kMostTooltips ? tooltip_of(frame, element) : std::string();
-    if (layout_.is_hand()) {
+    if (!layout_.is_grid) {
       svg.circle(at, 0.42 * pitch_, paint_of(frame, element), tooltip);
     } else {
       svg.rectangle({at.x - pitch_ / 2, at.y - pitch_ / 2}, pitch_, pitch_,
@@ -149,7 +167,7 @@ class SkinDrawing {
     const std::string fill =
         to_string(sequential_colour(range_.place_of(static_cast<double>(frame.values[element]))));
     // Outlined in it, or the white between cells shines through where a viewer smooths edges.
-    return {.fill = fill, .stroke = layout_.is_hand() ? "#222222" : fill, .stroke_width = 0.5};
+    return {.fill = fill, .stroke = layout_.is_grid ? fill : "#222222", .stroke_width = 0.5};
   }
 
   std::string tooltip_of(const SkinFrame& frame, std::size_t element) const {

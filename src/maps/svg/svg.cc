@@ -118,6 +118,14 @@ void SvgWriter::rectangle(Point corner, double width, double height, const Paint
   end_shape("rect", paint, tooltip);
 }
 
+void SvgWriter::image(Point corner, double width, double height, std::string_view data) {
+  svg_ += fmt::format(
+      R"(<image x="{}" y="{}" width="{}" height="{}" preserveAspectRatio="none" href="{}")",
+      svg_number(corner.x), svg_number(corner.y), svg_number(width), svg_number(height),
+      xml_escaped(data));
+  end_shape("image", {}, {});
+}
+
 void SvgWriter::circle(Point centre, double radius, const Paint& paint, std::string_view tooltip) {
   svg_ += fmt::format(R"(<circle cx="{}" cy="{}" r="{}")", svg_number(centre.x),
                       svg_number(centre.y), svg_number(radius));

@@ -30,7 +30,8 @@ struct TextStyle {
   std::string fill = "#222222";
 };
 
-/// Writes a standalone SVG picture: no scripts, no fonts or pictures from elsewhere, the same bytes
+/// Writes a standalone SVG picture: no scripts, no fonts or pictures from
+/// elsewhere, the same bytes
 /// for the same calls on every machine. Texts may hold anything: they are escaped. A `tooltip`,
 /// when not empty, is shown to readers who point at the shape.
 class SvgWriter {
@@ -53,6 +54,9 @@ class SvgWriter {
 
   /// Straight lines between each pair of points 2i and 2i + 1, as one shape.
   void segments(const std::vector<Point>& ends, const Paint& paint = {});
+
+  /// A picture in "data:...", stretched over the rectangle.
+  void image(Point corner, double width, double height, std::string_view data);
 
   /// One line of text; the point is on its base line.
   void text(Point at, std::string_view content, const TextStyle& style = {},

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "maps/pictures/channel_places.h"
 #include "recordings/explorations/recording_json.h"
 
 namespace somato::live {
@@ -24,12 +26,20 @@ Json explorations_json(const ViewSource& source, const GivenNames& names) {
   return explorations;
 }
 
-Json channels_json(const PlayedExploration* played) {
-  Json channels = Json::array();
-  if (played == nullptr) return channels;
-  for (const Channel& one : played->exploration->channels)
-    channels.push_back(detail::channel_json(one));
-  return channels;
+// With places, as far as they fit: the channels of a body are not known before it explores.
+Result<void> add_channels(const ViewState& state, Json& json) {
+  json["channels"] = Json::array();
+  if (state.played == nullptr) return {};
+  std::vector<std::string> names;
+  for (const Channel& one : state.played->exploration->channels) {
+    names.push_back(one.name);
+    json["channels"].push_back(detail::channel_json(one));
+  }
+  SOMATO_TRY_VOID(check_channels(state.source.places, names));
+  for (Json& channel : json["channels"]) {
+    SOMATO_TRY_VOID(add_places(state.source.places, channel));
+  }
+  return {};
 }
 
 // By the name of the channel.
@@ -115,7 +125,7 @@ Json state_json(const ViewState& state) {
   json["playing"] = state.playing;
   json["speed"] = state.speed;
   json["live"] = state.played != nullptr && !state.played->has_ended;
-  json["channels"] = channels_json(state.played);
+  const auto placed = add_channels(state, json);
   json["rates"] = rates_json(state.played);
   add_things(state, json);
   add_systems(state, json);
@@ -129,7 +139,8 @@ Json state_json(const ViewState& state) {
                     {"viewers", state.losses.viewers}};
   json["clients"] = state.clients;
   json["awaits_start"] = state.awaits_start;
-  json["problem"] = or_null(state.problem);
+  const bool is_first = !placed && state.problem.empty();
+  json["problem"] = is_first ? Json(sentence_of(placed.error())) : or_null(state.problem);
   return json;
 }
 

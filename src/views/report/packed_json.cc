@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/text/base64.h"
 #include "studies/results/short_number.h"
 
 namespace somato::detail {
@@ -31,40 +31,20 @@ Range range_of(std::span<const double> numbers) {
 }
 
 // The lower byte first.
-std::vector<std::uint8_t> integers_of(std::span<const double> numbers, const Range& range,
-                                      PackedBits bits) {
+std::string integers_of(std::span<const double> numbers, const Range& range, PackedBits bits) {
   const std::uint32_t missing = bits == PackedBits::k8 ? 0xFF : 0xFFFF;
   const double scale = range.high > range.low ? (missing - 1) / (range.high - range.low) : 0.0;
-  std::vector<std::uint8_t> bytes;
+  std::string bytes;
   bytes.reserve(numbers.size() * (bits == PackedBits::k8 ? 1 : 2));
   for (const double number : numbers) {
     std::uint32_t integer = missing;
     if (std::isfinite(number)) {
       integer = static_cast<std::uint32_t>(std::floor((number - range.low) * scale + 0.5));
     }
-    bytes.push_back(static_cast<std::uint8_t>(integer & 0xFFU));
-    if (bits == PackedBits::k16) bytes.push_back(static_cast<std::uint8_t>(integer >> 8U));
+    bytes += static_cast<char>(integer & 0xFFU);
+    if (bits == PackedBits::k16) bytes += static_cast<char>(integer >> 8U);
   }
   return bytes;
-}
-
-// RFC 4648, section 4.
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  constexpr std::string_view kLetters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      three = three << 8U | (i + k < bytes.size() ? bytes[i + k] : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      const bool is_there = i + k <= bytes.size();
-      text += is_there ? kLetters[three >> (18U - 6U * k) & 0x3FU] : '=';
-    }
-  }
-  return text;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "maps/pictures/channel_places.h"
 #include "studies/results/results_json.h"
 #include "systems/graph/graph_json.h"
 #include "views/report/curves.h"
@@ -136,16 +137,18 @@ class ReportWriter {
     return {};
   }
 
-  Report finish() const {
+  Result<Report> finish() {
+    if (!sources_.places.empty()) SOMATO_TRY_VOID(place_channels());
     Json curves = detail::frame_curves_json(parts_);
     for (Json& curve : detail::curves_json(parts_, outcomes_, sources_.units)) {
       curves.push_back(std::move(curve));
     }
-    const Json json = {{"version", kVersion},         {"somato", sources_.version},
-                       {"systems", systems_},         {"claims", claims_},
-                       {"curves", std::move(curves)}, {"moments", moments_.list()}};
-    return {json.dump(-1, ' ', false, Json::error_handler_t::replace), systems_.size(),
-            claims_.size(), missing_};
+    Json json = {{"version", kVersion},         {"somato", sources_.version},
+                 {"systems", systems_},         {"claims", claims_},
+                 {"curves", std::move(curves)}, {"moments", moments_.list()}};
+    if (!placed_.empty()) json["placed"] = placed_;
+    return Report{json.dump(-1, ' ', false, Json::error_handler_t::replace), systems_.size(),
+                  claims_.size(), missing_};
   }
 
  private:
@@ -181,6 +184,30 @@ class ReportWriter {
     return {};
   }
 
+  // Each channel that has places once, because their picture may be large.
+  Result<void> place(const Json& channel) {
+    channels_.push_back(channel["name"]);
+    Json placed = channel;
+    SOMATO_TRY_VOID(add_places(sources_.places, placed));
+    const bool is_known = std::find(placed_.begin(), placed_.end(), placed) != placed_.end();
+    if (placed.contains("layout") && !is_known) placed_.push_back(std::move(placed));
+    return {};
+  }
+
+  // A plane may have other elements than the readings of its channel, and then no places.
+  Result<void> place_channels() {
+    for (const Json& moment : moments_.list()) {
+      for (const Json& of : moment["channels"]) SOMATO_TRY_VOID(place(of["channel"]));
+    }
+    for (const Json& system : systems_) {
+      if (system["trained"].is_null()) continue;
+      for (const Json& planes : system["trained"]["planes"]) {
+        static_cast<void>(place(planes["channel"]));
+      }
+    }
+    return check_channels(sources_.places, channels_);
+  }
+
   void remember(const std::vector<std::string>& sentences) {
     for (const std::string& sentence : sentences) {
       if (std::find(missing_.begin(), missing_.end(), sentence) == missing_.end()) {
@@ -196,6 +223,8 @@ class ReportWriter {
   Json claims_ = Json::array();
   detail::Moments moments_;
   std::vector<std::string> missing_;
+  std::vector<std::string> channels_;  // of moments and planes
+  Json placed_ = Json::array();
 };
 
 void replace_all(std::string& text, std::string_view what, std::string_view by) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "maps/pictures/channel_places.h"
 #include "somato/core/result.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
@@ -58,6 +59,7 @@ struct ReportSources {
   std::map<std::string, std::string>
       units;  ///< The units of settings, such as "explore.simulation.noise".
   std::size_t threads = 1;
+  std::vector<ChannelPlaces> places = {};  ///< Places of elements, from a layout file.
 };
 
 /// A report, before it is embedded in a page.
@@ -70,7 +72,8 @@ struct Report {
 };
 
 /// Composes the report for the systems in `files`. Missing data are omitted, with a sentence.
-/// Errors (kData): winners that are not on the map of their study.
+/// Errors: kData for winners that are not on the map of their study; those of check_channels() and
+/// places_for().
 Result<Report> make_report(const std::vector<ReportFile>& files, const ReportSources& sources);
 
 /// The page with the report instead of its placeholder `null`, escaped so that it cannot end the

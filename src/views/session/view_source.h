@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "maps/pictures/channel_places.h"
 #include "recordings/file/growing_recording.h"
 #include "somato/bodies/explorer.h"
 #include "somato/bodies/exploring.h"
@@ -71,7 +72,8 @@ struct ViewSource {
   /// The file in which the explorations of the body are saved, or nullptr; must outlive the
   /// session.
   GrowingRecording* file = nullptr;
-  SceneFinder scenes = {};  ///< For recordings; may be empty.
+  SceneFinder scenes = {};                 ///< For recordings; may be empty.
+  std::vector<ChannelPlaces> places = {};  ///< Places of elements, from a layout file.
   /// Takes what the first of the systems says, which is then the only one; may be empty.
   live::ReadingSink readings = {};
   std::vector<ViewSystem> systems = {};

@@ -117,6 +117,29 @@ TEST_F(TableChoice, NumberedNamesAreListedInShort) {
   EXPECT_NE(said_.find("\nfeatures t8..t11, x_01, x_02, y\n"), std::string::npos) << said_;
 }
 
+TEST_F(TableChoice, WeightsAreDrawnOnASkinOfColumns) {
+  write_tables();
+  map_of({"cut.csv", "--label-column", "fruit"});
+  write("pad.toml",
+        "[layout.touch]\nplaces = [[0, 0], [0, 5]]\nelements = [\"length\", \"mass\"]\n");
+  const Words plot{"som", "plot", "x.map", "--layout", "pad.toml", "-o", "a.svg"};
+  output_of(plot);
+  const std::string all = read("a.svg");
+  EXPECT_NE(all.find("row 2, column 3"), std::string::npos);
+  output_of(with(plot, {"--neuron", "2,1"}));
+  const std::string one = read("a.svg");
+  EXPECT_NE(one.find("row 2, column 1"), std::string::npos);
+  EXPECT_EQ(one.find("row 1, column 1"), std::string::npos);
+  expect_refused(
+      2, {{with(plot, {"--neuron", "3,1"}), {"--neuron", "'3,1'", "from 1,1 to 2,3"}},
+          {with(plot, {"--neuron", "2"}), {"--neuron", "from 1,1 to 2,3"}},
+          {with(plot, {"--panels", "hits"}), {"--panels", "no effect"}},
+          {with(plot, {"cut.csv"}), {"shows no data"}},
+          {{"som", "plot", "x.map", "--neuron", "1,1", "-o", "b.svg"}, {"--neuron", "--layout"}}});
+  write("pad.toml", "[layout.touch]\nplaces = [[0, 0], [0, 5], [0, 9]]\n");
+  expect_refused(2, plot, {"pad.toml:1", "3 places, but 'touch' has 2 elements"});
+}
+
 // The map knows what it learned: other tables are read by these names, in any order.
 TEST_F(TableChoice, ATrainedMapPicksItsColumnsByName) {
   write_tables();

@@ -46,6 +46,13 @@ TEST_F(View, RefusesWhatItCannotShow) {
                      {{"view", "nothing.mcap"}, {"nothing.mcap"}}});
 }
 
+TEST_F(View, RefusesALayoutOfAnotherSkin) {
+  record();
+  write("pad.toml", "[layout.touch]\nplaces = [[0, 0]]\n");
+  expect_refused(2,
+                 {{{"view", "pressed.mcap", "--layout", "pad.toml"}, {"pad.toml:1", "'touch'"}}});
+}
+
 // The port of the address that is printed, such as http://127.0.0.1:8080/?token=...
 std::uint16_t port_in(const std::string& out) {
   const std::string host = "http://127.0.0.1:";

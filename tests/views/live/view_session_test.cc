@@ -60,6 +60,24 @@ TEST_F(SessionThread, BeginsAtTheFirstFrameAndDescribesItsState) {
   EXPECT_EQ(frame["reading"], nullptr);
 }
 
+TEST_F(SessionThread, HasThePlacesOfALayoutOrSaysWhyNot) {
+  const auto with_places = [](const std::string& channel, std::vector<Point> places) {
+    ViewSource source = testing::hand_source();
+    source.places = {{channel, "hand.toml:1", {}, std::move(places), {}, {}}};
+    ViewSession session(std::move(source), resting());
+    session.start();
+    return state_of(session);
+  };
+  const json fits = with_places("joints", {{0, 0}, {2, 0}, {4, 0}});
+  EXPECT_EQ(fits["channels"][2]["layout"]["places"], json::parse("[[0,0],[2,0],[4,0]]"));
+  EXPECT_FALSE(fits["channels"][0].contains("layout"));
+  EXPECT_EQ(fits["problem"], nullptr);
+  const std::string few = with_places("joints", {{0, 0}, {2, 0}})["problem"];
+  EXPECT_NE(few.find("2 places, but 'joints' has 3 elements"), std::string::npos) << few;
+  const std::string other = with_places("joint", {{0, 0}})["problem"];
+  EXPECT_NE(other.find("did you mean 'joints'?"), std::string::npos) << other;
+}
+
 TEST_F(SessionThread, StepsAndSeeksToAndFro) {
   ViewSource source = testing::hand_source();
   const Recording recording = source.recording;

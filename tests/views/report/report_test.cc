@@ -334,6 +334,28 @@ TEST(Report, ManyFilesStandOneAfterTheOther) {
   EXPECT_EQ(report["systems"][1]["name"], "learning");
 }
 
+TEST(Report, HasThePlacesOfEachChannelOnce) {
+  const auto elements = small().recording->explorations[0].channels[0].frames.columns();
+  ReportSources sources = small().sources();
+  ChannelPlaces joints{"joints", "hand.toml:1", {}, {}, {}, {}};
+  for (std::size_t i = 0; i < elements; ++i) joints.places.push_back({static_cast<double>(i), 2});
+  sources.places = {joints};
+  const Json report = report_of({small().file()}, sources);
+  ASSERT_EQ(report["placed"].size(), 1U);
+  EXPECT_EQ(report["placed"][0]["name"], "joints");
+  EXPECT_EQ(report["placed"][0]["layout"]["places"].size(), elements);
+  EXPECT_FALSE(report_of({small().file()}, small().sources()).contains("placed"));
+
+  sources.places[0].places.push_back({-1, 2});
+  const auto other = make_report({small().file()}, sources);
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().what.find("'joints' has"), std::string::npos);
+  sources.places[0].channel = "joint";
+  const auto unknown = make_report({small().file()}, sources);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().advice, "did you mean 'joints'?");
+}
+
 TEST(Report, IsTheSameForAnyNumberOfThreads) {
   ReportSources sources = learning().sources();
   const std::string one = make_report({learning().file()}, sources)->json;

@@ -80,6 +80,35 @@ export interface ChannelData {
   elements: string[];
   /** The shape of a frame. */
   shape: number[];
+  /** The places of the elements, if a layout file gives them. */
+  layout?: LayoutData;
+}
+
+/** The places of the elements of a channel in mm; x grows to the right and y downwards. */
+export interface LayoutData {
+  /** The usual distance between neighbours. */
+  spacing: number;
+  /** x and y of each element. */
+  places: [number, number][];
+  groups: LayoutGroup[];
+  background: LayoutBackground | null;
+}
+
+/** Elements that are outlined together. */
+export interface LayoutGroup {
+  name: string;
+  /** By index. */
+  elements: number[];
+}
+
+/** A picture behind the elements, with its place in mm. */
+export interface LayoutBackground {
+  /** "data:image/png;base64,...". */
+  image: string;
+  x: number;
+  y: number;
+  width: number;
+  height: number;
 }
 
 /** An explored object or material, for its picture. */

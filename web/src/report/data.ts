@@ -22,6 +22,11 @@ export interface ReportData {
   curves: CurveReport[];
   /** Sensor readings of explorations, each once, although several systems may refer to it. */
   moments: MomentData[];
+  /**
+   * The channels of moments and planes whose elements have places, with their `layout`, which is
+   * not repeated there.
+   */
+  placed?: ChannelData[];
 }
 
 /**

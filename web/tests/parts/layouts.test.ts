@@ -1,8 +1,10 @@
 import { describe, expect, test } from "vitest";
 
-import type { ModuleData } from "../../src/parts/data";
+import type { ChannelData, ModuleData } from "../../src/parts/data";
 import { graphLayout } from "../../src/parts/graph_layout";
-import { gridLayout, handLayout, rowSizes } from "../../src/parts/hands/hand_layout";
+import { gridLayout, hasGrid } from "../../src/parts/hands/grid_layout";
+import { handLayout, rowSizes } from "../../src/parts/hands/hand_layout";
+import { groupsOf, isSkin, skinLayout } from "../../src/parts/hands/skin_layout";
 import { nearestTowards } from "../../src/parts/hands/towards";
 import { hull } from "../../src/parts/hands/thing_picture";
 import { reportFixture } from "../report/report_fixture";
@@ -129,8 +131,8 @@ describe("the layout of a hand", () => {
   test("is a grid where names do not describe a hand", () => {
     expect(handLayout(["height", "wrist"])).toBeNull();
     expect(handLayout([])).toBeNull();
-    expect(gridLayout(6, [2, 3])).toMatchObject({ width: 3, height: 2 });
-    expect(gridLayout(0, []).dots).toEqual([]);
+    expect(gridLayout(numbered(6), [2, 3])).toMatchObject({ width: 3, height: 2 });
+    expect(gridLayout([], []).dots).toEqual([]);
   });
 
   test("is walked by arrow keys from end to end", () => {
@@ -158,4 +160,106 @@ test("a hull goes around all points and through corners only", () => {
     [1, 0],
   ] as [number, number][];
   expect(hull(square).length).toBe(4);
+});
+
+const numbered = (count: number) => Array.from({ length: count }, (_, i) => String(i + 1));
+
+const indexed = (rows: number, columns: number, name: (row: number, column: number) => string) =>
+  Array.from({ length: rows * columns }, (_, i) => name(Math.floor(i / columns), i % columns));
+
+const sizeOf = ({ width, height }: { width: number; height: number }) => [width, height];
+
+describe("the grid of a pad", () => {
+  test("has no hole, and the shape of its channel first", () => {
+    expect([16, 12, 8, 7, 17, 1].map((count) => sizeOf(gridLayout(numbered(count), [count])))).toEqual([
+      [4, 4],
+      [4, 3],
+      [4, 2],
+      [7, 1],
+      [17, 1],
+      [1, 1],
+    ]);
+    expect(sizeOf(gridLayout(numbered(16), [2, 8]))).toEqual([8, 2]);
+    expect(sizeOf(gridLayout(numbered(16), [1, 2, 8, 1]))).toEqual([8, 2]);
+    expect(sizeOf(gridLayout(numbered(997), [997]))).toEqual([45, 23]); // 997 in a row are too small to see
+  });
+
+  test.each([
+    ["digits", indexed(2, 3, (row, column) => `t${row}${column}`)],
+    ["numbers", indexed(2, 3, (row, column) => `taxel_${row}_${column}`)],
+    ["letters", indexed(2, 3, (row, column) => `r${row + 1}c${column + 1}`)],
+    ["a name that has a number itself", indexed(2, 3, (row, column) => `skin1_t${row}${column}`)],
+  ])("follows two indices of names: %s", (_, names) => {
+    const layout = gridLayout(names, [6]);
+    expect(sizeOf(layout)).toEqual([3, 2]);
+    expect(layout.dots[4]).toEqual({ x: 1.5, y: 1.5 });
+    expect(hasGrid(names, [6])).toBe(true);
+    const reversed = gridLayout([...names].reverse(), [6]);
+    expect(reversed.dots[1]).toEqual(layout.dots[4]); // by the name, not by the order
+  });
+
+  test("with ten and more columns follows the numbers", () => {
+    const names = indexed(16, 16, (row, column) => `taxel_${row}_${column}`);
+    expect(sizeOf(gridLayout(names, [256]))).toEqual([16, 16]);
+    expect(gridLayout(names, [256]).dots[10 * 16 + 11]).toEqual({ x: 11.5, y: 10.5 });
+  });
+
+  test("does not follow names that leave a hole, repeat a cell or differ otherwise", () => {
+    const names = indexed(3, 3, (row, column) => `t${row}${column}`);
+    expect(hasGrid(names.slice(1), [8])).toBe(false);
+    expect(hasGrid([...names.slice(1), "t22"], [9])).toBe(false);
+    expect(hasGrid([...names.slice(1), "s00"], [9])).toBe(false);
+    expect(hasGrid(numbered(9), [9])).toBe(false);
+  });
+});
+
+describe("the places of a layout file", () => {
+  const channel: ChannelData = {
+    name: "touch",
+    unit: "",
+    elements: ["a", "b", "c"],
+    shape: [3],
+    layout: {
+      spacing: 2,
+      places: [
+        [10, 4],
+        [12, 4],
+        [10, 8],
+      ],
+      groups: [{ name: "top", elements: [0, 1] }],
+      background: { image: "data:image/png;base64,", x: 8, y: 4, width: 4, height: 8 },
+    },
+  };
+
+  test("are in distances between neighbours from the corner of picture and elements", () => {
+    const layout = skinLayout(channel);
+    expect(layout.kind).toBe("placed");
+    expect(layout.dots.map(({ x, y }) => [x - layout.dots[0]!.x, y - layout.dots[0]!.y])).toEqual([
+      [0, 0],
+      [1, 0],
+      [0, 2],
+    ]);
+    expect(layout.dots[0]).toEqual({ x: 1.75, y: 0.75 });
+    expect(layout.width).toBeCloseTo(2 + 2 * 0.75);
+    expect(layout.background).toMatchObject({ x: 0.75, y: 0.75, width: 2, height: 4 });
+  });
+
+  test("have groups with a box around their elements and their name below it", () => {
+    const layout = skinLayout(channel);
+    expect(layout.segments).toEqual([{ name: "top", x: 1, y: 0, width: 1 + 2 * 0.75, height: 2 * 0.75 }]);
+    expect(layout.fingers).toEqual([{ name: "top", x: 1.75 + 0.5, y: 2 * 0.75 }]);
+    expect([0, 2].map((one) => groupsOf(channel, one))).toEqual([["top"], []]);
+  });
+
+  test("are left out if they are of other elements", () => {
+    expect(skinLayout({ ...channel, elements: ["a", "b"], shape: [2] }).kind).toBe("grid");
+  });
+
+  test("make a skin of any channel, as shapes, names and touch do", () => {
+    const plain = { name: "joints", unit: "deg", elements: ["a", "b", "c"], shape: [3] };
+    expect(isSkin(plain)).toBe(false);
+    expect(isSkin({ ...channel, name: "joints" })).toBe(true);
+    expect(isSkin({ ...plain, name: "touch_left" })).toBe(true);
+    expect(isSkin({ ...plain, elements: numbered(4), shape: [2, 2] })).toBe(true);
+  });
 });

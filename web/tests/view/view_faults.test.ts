@@ -86,6 +86,37 @@ describe("when things go wrong", () => {
     await screenshot(view.page, "view-no-webgl");
   });
 
+  it("shows a pad in place of a body that is not known", async () => {
+    const elements = Array.from({ length: 16 }, (_, i) => `t${Math.floor(i / 4)}${i % 4}`);
+    const state = fakeState();
+    const touch = { name: "touch", unit: "N", elements, shape: [16] };
+    state.channels = [state.channels[2]!, touch];
+    await view.serve(state);
+    view.server.setScene(null);
+    await view.page.goto(view.server.address);
+    await firstFrame(view.page);
+    const frame = fakeFrame(0, 30);
+    frame.channels["touch"] = elements.map((_, i) => (i === 5 ? 4 : 0));
+    view.server.send("frame", frame);
+    await view.page.waitForSelector(".panel-hand .skin-place .lit[data-cell='5']");
+    const places = await view.page.locator(".panel-hand .skin-place [data-cell]").evaluateAll((cells) =>
+      cells.map((cell) => cell.getBoundingClientRect()).map(({ x, y }) => [Math.round(x), Math.round(y)]),
+    );
+    expect([0, 1].map((axis) => new Set(places.map((place) => place[axis])).size)).toEqual([4, 4]);
+    expect(await words(view.page, ".panel-skin .sense-row .candidate-name")).toBe("finger1_proximal");
+    view.server.change({ channels: [state.channels[0]!] });
+    await view.page.waitForSelector(".panel-hand .sense-row");
+    expect(await view.page.locator(".panel-skin").isHidden()).toBe(true);
+  });
+
+  it("describes the neuron that is selected, although the focus has pointed at the first", async () => {
+    await view.open();
+    await view.page.locator(".panel-map .map-place svg").focus();
+    await soon(() => words(view.page, ".panel-map .readout")).toContain("row 1, column 1");
+    await view.page.locator(".panel-map [data-cell='101']").dispatchEvent("click"); // as a finger does
+    await soon(() => words(view.page, ".panel-map .readout")).not.toContain("row 1, column 1");
+  });
+
   it("shows hostile words as words", async () => {
     const evil = `<img src=x onerror="document.title='gone'"><script>document.title='gone'</script>`;
     const state = fakeState();

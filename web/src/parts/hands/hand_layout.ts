@@ -6,11 +6,13 @@
 import type { Box } from "../svg";
 
 export interface HandLayout {
+  kind: "hand" | "placed" | "grid"; // "placed": by a layout file (skin_layout.ts)
   width: number;
   height: number;
   dots: { x: number; y: number }[]; // by element
-  segments: (Box & { name: string })[];
+  segments: (Box & { name: string })[]; // or groups
   fingers: { name: string; x: number; y: number }[]; // where the names stand
+  background?: (Box & { image: string }) | undefined;
 }
 
 interface Part {
@@ -55,7 +57,7 @@ function partOf(name: string, element: number): Part | null {
 }
 
 function laidOut(parts: Part[], count: number): HandLayout {
-  const layout: HandLayout = { width: 0, height: 0, dots: new Array(count), segments: [], fingers: [] };
+  const layout: HandLayout = { kind: "hand", width: 0, height: 0, dots: new Array(count), segments: [], fingers: [] };
   const tallest = Math.max(...fingersOf(parts).map((finger) => heightOf(segmentsOf(parts, finger))));
   let x = 0;
   for (const finger of fingersOf(parts)) {
@@ -132,18 +134,4 @@ function placeRow(layout: HandLayout, row: Part[], middle: number, y: number): v
   row.forEach((part, i) => {
     layout.dots[part.element] = { x: middle + i - (row.length - 1) / 2, y };
   });
-}
-
-/** Elements without such names, in a grid by the shape of their channel without axes of length 1. */
-export function gridLayout(count: number, shape: readonly number[]): HandLayout {
-  const axes = shape.filter((length) => length > 1);
-  const columns = Math.max(
-    1,
-    Math.min(count, axes.length > 1 ? (axes.at(-1) ?? count) : Math.ceil(Math.sqrt(count * 2))),
-  );
-  const dots = Array.from({ length: count }, (_, i) => ({
-    x: (i % columns) + 0.5,
-    y: Math.floor(i / columns) + 0.5,
-  }));
-  return { width: columns, height: Math.ceil(count / columns), dots, segments: [], fingers: [] };
 }

@@ -1,12 +1,12 @@
-// A picture of the values of a channel: on an unfolded hand if the names give the positions
-// (hand_layout.ts), otherwise in a grid.
+// A picture of the values of a channel, with each element at its place (skin_layout.ts).
 //
 //   const picture = handMap(channel, { label: "Touch", unit: "N", onChoose: show });
 //   picture.setValues(values, [0, 5]);   // cheap: only changed elements are updated
 
 import type { ChannelData } from "../data";
 import { sequenceColour } from "../maps/colour_maps";
-import { gridLayout, handLayout, type HandLayout } from "./hand_layout";
+import type { HandLayout } from "./hand_layout";
+import { groupsOf, skinLayout } from "./skin_layout";
 import { colourBar } from "../maps/legend";
 import { cellPicture, type CellPicture, type CursorOptions, type CursorPlace } from "../maps/map_cursor";
 import { markerPath } from "../maps/markers";
@@ -28,18 +28,17 @@ export interface HandPicture extends CellPicture {
 }
 
 export function handMap(channel: ChannelData, options: HandOptions): HandPicture {
-  const hand = handLayout(channel.elements);
-  const layout = hand ?? gridLayout(channel.elements.length, channel.shape);
+  const layout = skinLayout(channel);
   const colour = options.colour ?? sequenceColour;
-  const drawn = draw(layout, options, colour, hand !== null);
+  const drawn = draw(layout, options, colour);
   let shown: readonly (number | null)[] = [];
   const describe = (i: number) =>
-    `${channel.elements[i] ?? ""}: ${withUnit(readable(shown[i]), options.unit ?? "")}`;
+    `${[...groupsOf(channel, i), channel.elements[i] ?? ""].join(", ")}: ${withUnit(readable(shown[i]), options.unit ?? "")}`;
   const picture = cellPicture(drawn.place, "hand-map", describe, options);
   const paint = painter(drawn.place.cells, colour);
   return {
     ...picture,
-    isHand: hand !== null,
+    isHand: layout.kind === "hand",
     setValues: (values, range) => {
       const [low, high] = range ?? rangeOf(values) ?? [0, 1];
       shown = values;
@@ -63,32 +62,32 @@ function draw(
   layout: HandLayout,
   options: HandOptions,
   colour: (share: number) => string,
-  isHand: boolean,
 ): Drawn {
+  const isHand = layout.kind === "hand";
+  const isGrid = layout.kind === "grid";
   const pitch = Math.max(7, Math.min(30, (options.size ?? 320) / layout.width));
-  const cells = layout.dots.map((dot, i) => cellAt(dot.x * pitch, dot.y * pitch, pitch, i, isHand));
+  const cells = layout.dots.map((dot, i) => cellAt(dot.x * pitch, dot.y * pitch, pitch, i, !isGrid));
   const rings = shape("g", { class: "map-rings", "data-transient": "" });
   const width = Math.max(160, layout.width * pitch);
-  const below = layout.height * pitch + (isHand ? kNames : 6) + 6;
+  const below = layout.height * pitch + (layout.fingers.length > 0 ? kNames : 6) + 6;
   const bar = colourBar(width, options.unit ?? "", colour);
   bar.group.setAttribute("transform", `translate(0 ${rounded(below)})`);
   const bones = layout.segments.map((segment) => boneAt(segment, pitch, pitch, pitch / 2));
+  if (layout.background !== undefined) for (const bone of bones) bone.classList.add("outlined");
   const names = layout.fingers.map(({ name, x, y }) =>
-    text(x * pitch, y * pitch + 15, name, { class: "middle muted" }),
+    text(x * pitch, y * pitch + 15, name, { class: isHand ? "middle muted" : "middle muted group-name" }),
   );
   const palm = options.palm && isHand ? palmBelow(layout.width * pitch, layout.height * pitch) : null;
-  const layer = shape("g", { class: isHand ? "taxels" : "map-cells" }, cells);
+  const layer = shape("g", { class: isGrid ? "map-cells" : "taxels" }, cells);
+  const aside = rounded((width - layout.width * pitch) / 2); // in the middle above a wider colour bar
+  const skin = [palm, backgroundOf(layout, pitch), ...bones, layer, ...names, rings];
   const inner = shape("g", { transform: `translate(${kMargin} ${kMargin})` }, [
-    palm,
-    ...bones,
-    ...names,
-    layer,
-    rings,
+    shape("g", { transform: `translate(${aside} 0)` }, skin),
     bar.group,
   ]);
   const picture = svg(width + 2 * kMargin, below + kBar - 14 + 2 * kMargin, options.label, [inner]);
   const step = (at: number, rows: number, columns: number) => nearestTowards(layout.dots, at, columns, rows);
-  const place = { svg: picture, cells, rings, kind: isHand ? "hand" : "grid", cellName: "elements", step };
+  const place = { svg: picture, cells, rings, kind: layout.kind === "placed" ? "skin" : layout.kind, cellName: "elements", step };
   return { place, setRange: bar.setRange };
 }
 
@@ -99,9 +98,16 @@ function palmBelow(width: number, top: number): SVGPathElement {
   return shape("path", { d, class: "palm" });
 }
 
-function cellAt(x: number, y: number, pitch: number, i: number, isHand: boolean): SVGPathElement {
+function backgroundOf({ background }: HandLayout, pitch: number): SVGImageElement | null {
+  if (background === undefined) return null;
+  const { image, x, y, width, height } = background;
+  const box = { x: rounded(x * pitch), y: rounded(y * pitch), width: rounded(width * pitch), height: rounded(height * pitch) };
+  return shape("image", { ...box, href: image, preserveAspectRatio: "none" });
+}
+
+function cellAt(x: number, y: number, pitch: number, i: number, isRound: boolean): SVGPathElement {
   return shape("path", {
-    d: markerPath(isHand ? 0 : 1, x, y, pitch * (isHand ? 0.42 : 0.56)),
+    d: markerPath(isRound ? 0 : 1, x, y, pitch * (isRound ? 0.42 : 0.56)),
     fill: "none",
     "data-cell": i,
   });

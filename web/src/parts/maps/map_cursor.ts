@@ -108,6 +108,7 @@ class CellCursor {
 
   private choose(cell: number | null): void {
     if (cell === null) return;
+    this.point(cell); // a finger points only now: the focus before it has pointed at the first cell
     this.select(cell);
     this.options.onChoose?.(cell);
   }

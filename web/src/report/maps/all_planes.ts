@@ -6,13 +6,15 @@ import type { ChannelPlanes, GridData } from "../../parts/data";
 import { element, type Child } from "../../parts/dom";
 import { figure, type Shown } from "../../parts/figure";
 import { neuronAtPixel, pixelColumns, pixelRows } from "../../parts/maps/grid";
-import { gridLayout, handLayout, type HandLayout } from "../../parts/hands/hand_layout";
+import type { HandLayout } from "../../parts/hands/hand_layout";
 import { boneAt } from "../../parts/hands/hand_map";
+import { skinLayout } from "../../parts/hands/skin_layout";
 import { colourBar } from "../../parts/maps/legend";
 import { pixelImage, pixelRamp, scaled } from "../../parts/maps/painter";
 import { rounded, shape, shortened, svg, text } from "../../parts/svg";
 import { neuronTable } from "./system_map";
 
+const kArranged = { hand: ", arranged on the hand", placed: ", arranged on the skin", grid: "" };
 const kMost = 120; // more are too small to see
 const kPitch = 60;
 const kNamedPitch = 104; // where there is room, for the names below
@@ -29,17 +31,14 @@ export function allPlanesFigure(
 ): Child {
   const { channel } = planes;
   if (channel.elements.length < 2 || channel.elements.length > kMost) return null;
-  const hand = handLayout(channel.elements);
-  const layout = hand ?? gridLayout(channel.elements.length, channel.shape);
-  const picture = draw(grid, planes, range, layout, hand === null);
+  const layout = skinLayout(channel);
+  const picture = draw(grid, planes, range, layout, layout.kind === "grid");
   picture.addEventListener("click", (event) => {
     const number = event.target instanceof Element ? event.target.getAttribute("data-element") : null;
     if (number !== null) onChoose(Number(number));
   });
   return figure({
-    title: hand
-      ? `Component planes of ${channel.name}, arranged on the hand`
-      : `Component planes of ${channel.name}`,
+    title: `Component planes of ${channel.name}${kArranged[layout.kind]}`,
     file: `${file}-planes`,
     body: element("div", { class: "all-planes" }, [picture]),
     picture: () => picture,

@@ -1,17 +1,16 @@
-// The axis of a channel whose elements have an order and no place on a hand: frequencies for the
+// The axis of a channel whose elements have an order and no places: frequencies for the
 // output of a module `spectrum`, or else the numbers of its elements.
 
 import type { ChannelData, GraphData, ModuleData } from "../../parts/data";
-import { handLayout } from "../../parts/hands/hand_layout";
+import { hasPlaces } from "../../parts/hands/skin_layout";
 import type { Axis } from "./line_picture";
 import type { MomentData, SystemReport } from "../page/unpacked";
 
 const kFewest = 24; // elements that are drawn as a line
 
 export function axisOf(system: SystemReport, channel: ChannelData): Axis | null {
-  const { elements, shape } = channel;
-  const axes = shape.filter((length) => length > 1).length;
-  if (elements.length < kFewest || axes > 1 || handLayout(elements) !== null) return null;
+  const { elements } = channel;
+  if (elements.length < kFewest || hasPlaces(channel)) return null;
   const bins = elements.map(binOf);
   const step = hertzOfBin(system, channel.name);
   if (step !== null && bins.every((bin) => bin !== null)) {

@@ -4,8 +4,8 @@
 import { choice } from "../../parts/controls";
 import { element, fill, uniqueId, type Child } from "../../parts/dom";
 import { figure } from "../../parts/figure";
-import { handLayout } from "../../parts/hands/hand_layout";
 import { handMap } from "../../parts/hands/hand_map";
+import { isSkin } from "../../parts/hands/skin_layout";
 import { capital, readable, seconds } from "../../parts/numbers";
 import { courseFigure } from "./courses";
 import { fitting } from "../page/fitting";
@@ -61,23 +61,22 @@ function playerOf(exploration: Exploration): Child[] {
 }
 
 function figuresOf(system: SystemReport, exploration: Exploration): Child[] {
-  const isHand = (one: MomentChannel) => handLayout(one.channel.elements) !== null;
-  const size = (one: MomentChannel) => (isHand(one) ? one.channel.elements.length : 0);
-  // Channels on the hand come first, touch before joints.
+  const size = ({ channel }: MomentChannel) => (isSkin(channel) ? channel.elements.length : 0);
+  // Channels on the skin come first, touch before joints.
   const channels = [...exploration.moment.channels].sort((one, other) => size(other) - size(one));
   return channels.flatMap((one) => {
-    const isOnHand = isHand(one);
+    const isOnSkin = isSkin(one.channel);
     const hasCourse = one.series.length > 1;
     return [
-      isOnHand ? handFigure(system, one, exploration) : null,
+      isOnSkin ? skinFigure(system, one, exploration) : null,
       hasCourse ? courseFigure(system, one, exploration) : null,
-      isOnHand || hasCourse ? null : valuesFigure(system, one, exploration.name),
+      isOnSkin || hasCourse ? null : valuesFigure(system, one, exploration.name),
     ];
   });
 }
 
-/** The hand at the time of the exploration; at first at the moment of greatest contact. */
-function handFigure(system: SystemReport, of: MomentChannel, exploration: Exploration): Child {
+/** The skin at the time of the exploration; at first at the moment of greatest contact. */
+function skinFigure(system: SystemReport, of: MomentChannel, exploration: Exploration): Child {
   const { channel, series } = of;
   const { name } = exploration;
   const { colour, range } = readingColours(of);

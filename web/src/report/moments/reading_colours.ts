@@ -1,9 +1,9 @@
-// The colours of a channel's readings: those of touch for the touch sensors of a hand, else the
+// The colours of a channel's readings: those of touch for the touch sensors of a skin, else the
 // sequence of all numbers.
 
 import { sequenceColour } from "../../parts/maps/colour_maps";
-import { handLayout } from "../../parts/hands/hand_layout";
 import { rangeOf, readable, withUnit } from "../../parts/numbers";
+import { isSkin } from "../../parts/hands/skin_layout";
 import { touchColour, touchEnd } from "../../parts/hands/touch_colours";
 import type { MomentChannel } from "../page/unpacked";
 
@@ -25,12 +25,11 @@ export function colourNote(of: MomentChannel): string {
   return ` Stronger touch has the colour of ${withUnit(readable(end), of.channel.unit)}.`;
 }
 
-/** Touch of a hand, or a change of it that is counted upwards only. */
+/** Touch of a skin, or a change of it that is counted upwards only. */
 function isTouch({ channel, series, values }: MomentChannel): boolean {
-  const isOfSensors = channel.name.startsWith("touch") && handLayout(channel.elements) !== null;
+  const isOfSensors = channel.name.startsWith("touch") && isSkin(channel);
   return isOfSensors && [values, ...series].every((frame) => frame.every((value) => (value ?? 0) >= 0));
 }
-
 
 const endOf = (of: MomentChannel) => touchEnd(mostOf(of), of.channel.unit);
 

@@ -10,6 +10,7 @@ import {
   type SystemReport,
   type TrainedData,
 } from "./unpacked";
+import { withLayouts } from "./layouts";
 import { withPlaces } from "./same_names";
 
 export type Read = { data: ReportData } | { problem: string };
@@ -27,7 +28,7 @@ export function readReport(text: string): Read {
     return { problem: `The results in this page are damaged (${String(problem)}). ${kMakeAnother}` };
   }
   try {
-    return checked(unpacked(parsed));
+    return checked(withLayouts(unpacked(parsed)));
   } catch (problem) {
     return { problem: `The numbers in this page are damaged (${String(problem)}). ${kMakeAnother}` };
   }

@@ -28,7 +28,7 @@ export type TrainedData = Unpacked<file.TrainedData>;
 export type SystemReport = Omit<Unpacked<file.SystemReport>, "moments"> & {
   moments: (MomentData | null)[]; // of each sample
 };
-export type ReportData = Omit<Unpacked<file.ReportData>, "systems" | "moments"> & { systems: SystemReport[] };
+export type ReportData = Omit<Unpacked<file.ReportData>, "systems" | "moments" | "placed"> & { systems: SystemReport[] };
 
 /** The same with every packed list unpacked. */
 export function unpacked(value: unknown): unknown {

@@ -1,4 +1,4 @@
-// The body in three dimensions. What it touches lights up.
+// The body in three dimensions, where what it touches lights up; without one, the readings.
 
 import { element } from "../../parts/dom";
 import { digits, withUnit } from "../../parts/numbers";
@@ -6,6 +6,7 @@ import type { Frame, State } from "../data";
 import { Exploring } from "../page/exploring";
 import type { Model } from "../session/model";
 import { Panel } from "../page/panel";
+import { holdScale, Readings, readingsAt } from "./readings";
 import { makeRenderer, SceneView } from "./scene_view";
 import { themeColour } from "../page/theme_colours";
 
@@ -26,6 +27,8 @@ export class HandPanel {
   private readonly note = element("p", { class: "scene-note" });
   private readonly readout = element("output", { class: "scene-readout", "aria-live": "off" });
   private readonly tools: HTMLButtonElement[];
+  private readonly readings: Readings;
+  private readonly holding: HTMLElement;
   private pointed: number | null = null;
 
   constructor(private readonly model: Model) {
@@ -37,8 +40,10 @@ export class HandPanel {
         picked: (taxel) => void model.askTaxel(taxel),
       });
     this.tools = this.makeTools();
-    this.panel.addTools(...this.tools);
-    const stage = element("div", { class: "stage" }, [this.note, this.place, this.readout]);
+    this.readings = new Readings(model);
+    this.holding = holdScale(model);
+    this.panel.addTools(...this.tools, this.holding);
+    const stage = element("div", { class: "stage" }, [this.note, this.place, this.readings.root, this.readout]);
     this.panel.add(stage, new Exploring(model).root);
     this.watch();
   }
@@ -90,8 +95,18 @@ export class HandPanel {
     transparent!.hidden = pads!.hidden = !hasTouch;
     front!.hidden = !this.isSolid;
     this.place.hidden = !this.isSolid;
+    this.arrangeReadings();
     this.note.textContent = this.words();
     this.note.hidden = this.note.textContent === "";
+  }
+
+  private arrangeReadings(): void {
+    const channels = this.model.shownState.value?.channels ?? [];
+    const shown = readingsAt("stage", channels, this.model.hasBody);
+    this.readings.take(shown);
+    this.holding.hidden = shown.skins.length === 0;
+    const isShown = shown.skins.length + shown.senses.length > 0;
+    this.panel.rename(shown.skins.length > 0 ? "Skin" : isShown ? "Senses" : "Body");
   }
 
   private words(): string {
@@ -100,7 +115,7 @@ export class HandPanel {
     if (state.explorations.length === 0 && !state.live && this.model.frame.value === null)
       return nothingYet(state);
     if (this.model.shownScene.value === null)
-      return "The recording does not name its body, so only its readings are shown.";
+      return this.readings.root.hidden ? "No body is known, and nothing has been read yet." : "";
     return this.view === null ? kNoWebGl : "";
   }
 
@@ -128,6 +143,7 @@ export class HandPanel {
     const { scale } = this.model;
     if (this.isSolid) this.view?.draw(frame, (element) => scale.share(touch[element] ?? 0));
     if (this.pointed !== null) this.describe();
+    this.readings.show(frame);
   }
 }
 

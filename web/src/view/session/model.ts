@@ -63,6 +63,11 @@ export class Model implements Source {
     this.shownScene.set(scene);
   }
 
+  /** Whether a body is drawn, or may come: then the skin is beside it. */
+  get hasBody(): boolean {
+    return this.shownScene.value !== null || !this.sceneKnown.value;
+  }
+
   draw(frame: Frame): void {
     this.history.add(frame);
     this.scale.see(frame.exploration, frame.channels["touch"] ?? []);

@@ -1,6 +1,6 @@
 // The class of a neuron, its weights projected onto the hand, and the nearest explorations.
 
-import type { ChannelPlanes } from "../../parts/data";
+import type { ChannelData, ChannelPlanes } from "../../parts/data";
 import { element } from "../../parts/dom";
 import { neuronWords } from "../../parts/maps/grid";
 import { handMap } from "../../parts/hands/hand_map";
@@ -20,7 +20,7 @@ export function neuronAnswer(answer: NeuronAnswer, state: State, model: Model): 
     answer.answer === null ? "Class: none" : `Class: ${answer.answer}`;
   const planes = [...answer.planes]
     .sort((one, other) => rank(one) - rank(other))
-    .map(plane)
+    .map(({ channel, ...rest }) => plane({ ...rest, channel: placedAs(channel, state) }))
     .filter((one) => one !== null);
   return [head, element("p", { class: "closer-answer" }, [says]), ...nearest(answer, state.label, model), ...planes];
 }
@@ -44,6 +44,12 @@ function nearest({ nearest: near }: NeuronAnswer, label: string | null, model: M
 /** Touch first, then the channel with most elements. */
 function rank({ channel }: ChannelPlanes): number {
   return channel.name.startsWith("touch") ? Number.NEGATIVE_INFINITY : -channel.elements.length;
+}
+
+/** The channel with the places that the state has for it. */
+function placedAs(channel: ChannelData, state: State): ChannelData {
+  const layout = state.channels.find(({ name }) => name === channel.name)?.layout;
+  return layout === undefined ? channel : { ...channel, layout };
 }
 
 function plane({ channel, unit, values }: ChannelPlanes): HTMLElement | null {

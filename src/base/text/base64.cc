@@ -1,0 +1,26 @@
+#include "base/text/base64.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace somato {
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      three = three << 8U | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const bool is_there = i + k <= bytes.size();
+      text += is_there ? kLetters[three >> (18U - 6U * k) & 0x3FU] : '=';
+    }
+  }
+  return text;
+}
+
+}  // namespace somato
