@@ -9,8 +9,8 @@
 
 namespace somato::program {
 
-/// The recording at `path`, a recording's file, a folder of original files or a table, checked. Errors
-/// name the path.
+/// The recording at `path`, a recording's file, a folder of original files or a table, checked.
+/// Errors name the path.
 Result<Recording> read_study_data(const RecordingParameters& parameters, const std::string& path);
 
 /// A TOML file; if there is none at that path, the built-in file of that name or path, so that

@@ -99,8 +99,7 @@ std::vector<std::filesystem::path> sorted_entries(const std::filesystem::path& f
 
 }  // namespace
 
-Result<PairedRecording> read_given(const RecordingParameters& parameters,
-                                   const std::string& path) {
+Result<PairedRecording> read_given(const RecordingParameters& parameters, const std::string& path) {
   return read_study_data(parameters, path).map([&](Recording recording) {
     return paired(last_part(path), "given", 0, std::move(recording));
   });

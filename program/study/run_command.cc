@@ -55,8 +55,7 @@ Result<void> read_table_flags(const Arguments& arguments, ReproductionPlan& plan
     const bool relabels = arguments.has("label-column") || arguments.has("labels");
     if (!relabels || !arguments.has("data")) continue;
     SOMATO_TRY(const auto table, read_study_data(description.recording, arguments.text("data")));
-    description.study.label =
-        label_of_table(description.recording, table, description.study.label);
+    description.study.label = label_of_table(description.recording, table, description.study.label);
   }
   return {};
 }
@@ -98,8 +97,7 @@ PartEvents events_in(const OutputFolder& folder, const std::string& name, const 
 Result<void> explain(const Arguments& arguments, const StudyDescription& description) {
   RecordingLayout layout;
   if (arguments.has("data")) {
-    SOMATO_TRY(auto recording,
-               read_study_data(description.recording, arguments.text("data")));
+    SOMATO_TRY(auto recording, read_study_data(description.recording, arguments.text("data")));
     layout = layout_of(recording);
   }
   SOMATO_TRY(const auto system, System::build(description.system, std::move(layout)));
@@ -187,19 +185,21 @@ Result<void> run_study_command(const Arguments& arguments) {
 }
 
 std::vector<Flag> run_flags() {
-  std::vector<Flag> flags{input_flag("--data",
-                  "The recording: its file, a folder of original files, or a table of numbers, whose "
-                  "rows are explorations; required, as is --out, unless --explain is given"),
-       input_flag("--test-data",
-                  "Separate recording to test on; the system is then trained on all of --data"),
-       folder_flag("-o,--out", "Folder for results.json, map.svg and system.somato",
-                   OutputFolder::names()),
-       part_flag("training"),
-       {"--seeds", "Number of seeds, instead of the study's"},
-       {"--all-metrics", "Print every metric, not only the main ones", false, false},
-       {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
-       threads_flag(),
-       json_flag()};
+  std::vector<Flag> flags{
+      input_flag(
+          "--data",
+          "The recording: its file, a folder of original files, or a table of numbers, whose "
+          "rows are explorations; required, as is --out, unless --explain is given"),
+      input_flag("--test-data",
+                 "Separate recording to test on; the system is then trained on all of --data"),
+      folder_flag("-o,--out", "Folder for results.json, map.svg and system.somato",
+                  OutputFolder::names()),
+      part_flag("training"),
+      {"--seeds", "Number of seeds, instead of the study's"},
+      {"--all-metrics", "Print every metric, not only the main ones", false, false},
+      {"--explain", "Print modules, shapes, sizes and memory, and run nothing", false, false},
+      threads_flag(),
+      json_flag()};
   const std::vector<Flag> of_tables = table_data_flags();
   flags.insert(flags.end(), of_tables.begin(), of_tables.end());
   return flags;
@@ -208,15 +208,14 @@ std::vector<Flag> run_flags() {
 }  // namespace
 
 Command run_command() {
-  return {
-      "run",
-      "Run a study: train a system on a recording and test it",
-      {{"STUDY",
-        "TOML file that describes the study and its system, or one that 'somato systems' lists",
-        true, false, Role::kInput, own_file_names}},
-      run_flags(),
-      {},
-      run_study_command};
+  return {"run",
+          "Run a study: train a system on a recording and test it",
+          {{"STUDY",
+            "TOML file that describes the study and its system, or one that 'somato systems' lists",
+            true, false, Role::kInput, own_file_names}},
+          run_flags(),
+          {},
+          run_study_command};
 }
 
 }  // namespace somato::program

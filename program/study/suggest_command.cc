@@ -97,15 +97,16 @@ std::vector<Flag> suggest_flags() {
 }  // namespace
 
 Command suggest_command() {
-  return {"suggest",
-          "Select codes, weights and a combination of a recording's channels without labels",
-          {{"RECORDING",
-            "Recording: its file, a folder of original files, or a table of numbers (CSV, NPY, NPZ, "
-            "MAT), whose rows are explorations"}},
-          suggest_flags(),
-          SuggestionParameters::declarations().infos(),
-          run_suggest,
-          "suggestion"};
+  return {
+      "suggest",
+      "Select codes, weights and a combination of a recording's channels without labels",
+      {{"RECORDING",
+        "Recording: its file, a folder of original files, or a table of numbers (CSV, NPY, NPZ, "
+        "MAT), whose rows are explorations"}},
+      suggest_flags(),
+      SuggestionParameters::declarations().infos(),
+      run_suggest,
+      "suggestion"};
 }
 
 }  // namespace somato::program

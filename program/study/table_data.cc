@@ -11,8 +11,9 @@ namespace {
 Result<MissingValues> missing_of(MissingFill fill) {
   if (fill == MissingFill::kRefuse) return MissingValues::kRefuse;
   if (fill == MissingFill::kMean) return MissingValues::kMask;
-  return fail(ErrorKind::kUsage, "a study cannot replace missing values by those of the nearest row",
-              "--missing", "use --missing mean");
+  return fail(ErrorKind::kUsage,
+              "a study cannot replace missing values by those of the nearest row", "--missing",
+              "use --missing mean");
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace somato::program {
 /// A trained system from its file.
 Result<ViewSystem> trained_system(const std::string& path);
 
-/// The recording at `path`; a table is read like that of the training of `--model`. Errors: those of
-/// read_study_data() and load_system().
+/// The recording at `path`; a table is read like that of the training of `--model`. Errors: those
+/// of read_study_data() and load_system().
 Result<Recording> read_as_for_model(const Arguments& arguments, const std::string& path);
 
 /// The built-in systems that fit the recording: its channels, and the label to be predicted.

@@ -30,8 +30,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     Training, ``predict`` and ``transform`` release the interpreter's lock, and Ctrl-C stops them.
 
     Args:
-        rows: Rows of the map; None: about 10 sqrt(samples) neurons in an approximately square map, with 100
-            iterations per neuron and a final radius of 0.5, unless these are given.
+        rows: Rows of the map; None: about 10 sqrt(samples) neurons in an approximately square map, with
+            20,000 iterations, or 100 per neuron, and a final radius of 0.5, unless these are given.
         columns: Columns of the map; None: as for rows.
         random_state: The seed of the initial weights and draws: a whole number, which gives the same map
             each time; or a RandomState or Generator of numpy, or None for numpy's own, from which each

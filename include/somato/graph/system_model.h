@@ -37,8 +37,8 @@ struct SystemModel {
   RecordingParameters recording = {};
 };
 
-/// How the system reads the data at `path`: a table like that of its training, with columns selected
-/// by the names of the system's elements; other data with the default settings.
+/// How the system reads the data at `path`: a table like that of its training, with columns
+/// selected by the names of the system's elements; other data with the default settings.
 RecordingParameters recording_for(const SystemModel& model, const std::string& path);
 
 /// Saves description, layout, and all learned values in one file, atomically (see save_whole);

@@ -106,10 +106,10 @@ struct Choices<Unmentioned> {
 
 /// Checks the consistency of the description. Errors (kUsage) name the key: no labels, an invalid
 /// pattern, both time and rate, two columns of times without ISO 8601, an overlap without a window
-/// or not below it, 'incomplete' without a window, rows that are explorations with a window, time or rate, a column of
-/// explorations with a window or such rows, two labels with the same name, no channels, two
-/// channels with the same name, a channel with neither columns nor label or with both, a column
-/// used twice, an invalid range, a shape that the columns do not fill.
+/// or not below it, 'incomplete' without a window, rows that are explorations with a window, time
+/// or rate, a column of explorations with a window or such rows, two labels with the same name, no
+/// channels, two channels with the same name, a channel with neither columns nor label or with
+/// both, a column used twice, an invalid range, a shape that the columns do not fill.
 Result<void> check_csv_import(const CsvImport& description);
 
 /// Reads a description from its tables [import] and [[channel]] and checks it. Errors (kUsage) with

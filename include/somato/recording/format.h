@@ -28,8 +28,8 @@ struct Choices<RecordingFormat> {
   static const std::vector<std::pair<RecordingFormat, std::string>>& all();
 };
 
-/// How the data of a study are read: the table [recording]. All settings but `format` are those of a
-/// table of numbers, whose rows are explorations.
+/// How the data of a study are read: the table [recording]. All settings but `format` are those of
+/// a table of numbers, whose rows are explorations.
 struct RecordingParameters {
   RecordingFormat format = RecordingFormat::kAutomatic;
   std::string label_column = {};
@@ -59,12 +59,12 @@ bool is_table(const std::filesystem::path& path);
 /// formats, if none or more than one matches.
 Result<RecordingFormat> recognize_format(const std::filesystem::path& folder);
 
-/// Reads the recording at `path`: a file in MCAP, regardless of the format; a folder of data in that
-/// format; or a table of numbers. Each row of a table is an exploration with one frame of the
+/// Reads the recording at `path`: a file in MCAP, regardless of the format; a folder of data in
+/// that format; or a table of numbers. Each row of a table is an exploration with one frame of the
 /// channel "columns", whose elements are the features, and with two labels: the name of the label
-/// column ("label" without names or from a file), and "row", its number from 1. Missing values are marked as
-/// invalid if `missing` is "mask". Errors: those of read_recording(), recognize_format(), the
-/// importer of the format and parse_csv(); kUsage for a setting of tables with other data.
+/// column ("label" without names or from a file), and "row", its number from 1. Missing values are
+/// marked as invalid if `missing` is "mask". Errors: those of read_recording(), recognize_format(),
+/// the importer of the format and parse_csv(); kUsage for a setting of tables with other data.
 Result<Recording> load_recording(const RecordingParameters& parameters,
                                  const std::filesystem::path& path);
 

@@ -62,9 +62,9 @@ struct Information {
   std::string study;
   std::string data_hash;
   InformationParameters parameters;
-  std::string module;            ///< The module whose output the vectors are.
-  std::size_t explorations = 0;  ///< One vector each.
-  std::size_t elements = 0;      ///< The length of a vector.
+  std::string module;                      ///< The module whose output the vectors are.
+  std::size_t explorations = 0;            ///< One vector each.
+  std::size_t elements = 0;                ///< The length of a vector.
   std::vector<std::string> element_names;  ///< One for each.
   std::vector<LabelInformation> labels;
   std::optional<OrderInformation> order;

@@ -104,7 +104,7 @@ const Declarations<SomParameters>& SomParameters::declarations() {
                "training, with all samples in each epoch.")
           .add("iterations", &P::iterations, "samples drawn", Range::between(0, 1e15),
                "Length of online training; automatic: 2000 as in P11, or 10 per sample if that is "
-               "more; 100 per neuron if the map's size is automatic.")
+               "more; with an automatic size 100 per neuron, and at least 20,000.")
           .add("epochs", &P::epochs, "passes over all samples", Range::between(0, 1e9),
                "Length of batch training.")
           .add("draws", &P::draws, "", Range::any(),
@@ -169,9 +169,11 @@ void decide_size(SomParameters& parameters, std::size_t samples) {
   }
   if (!p.columns) p.columns = at_least_one(neurons / static_cast<double>(*p.rows));
   constexpr std::uint64_t kIterations = 100;  // a neuron
-  constexpr double kRadiusEnd = 0.5;          // neighbours then learn an eighth of the winner
+  constexpr std::uint64_t kLeastIterations = 20000;
+  constexpr double kRadiusEnd = 0.5;  // neighbours then learn an eighth of the winner
   p.radius_end = p.radius_end.value_or(kRadiusEnd);
-  p.iterations = p.iterations.value_or(kIterations * *p.rows * *p.columns);
+  p.iterations = p.iterations.value_or(
+      std::max<std::uint64_t>(kLeastIterations, kIterations * *p.rows * *p.columns));
 }
 
 Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features) {

@@ -43,9 +43,9 @@ class ChannelReader {
   /// Errors: as FieldReader::read().
   Result<std::vector<std::string>> element_names(std::string_view message) const;
 
-  /// The shape in the layout of a std_msgs array, or the numbers of rows and columns beside a list of
-  /// values (fields `rows` and `cols` or `columns`, or `height` and `width`), if it has two or more
-  /// axes that the values fill; otherwise empty. Errors: as FieldReader::read().
+  /// The shape in the layout of a std_msgs array, or the numbers of rows and columns beside a list
+  /// of values (fields `rows` and `cols` or `columns`, or `height` and `width`), if it has two or
+  /// more axes that the values fill; otherwise empty. Errors: as FieldReader::read().
   Result<std::vector<std::size_t>> shape(std::string_view message) const;
 
  private:
@@ -57,7 +57,7 @@ class ChannelReader {
 
   std::vector<FieldReader> values_;
   std::optional<ElementNames> names_;
-  std::vector<FieldReader> lengths_;  // of the axes
+  std::vector<FieldReader> lengths_;   // of the axes
   std::optional<FieldReader> offset_;  // of a std_msgs array
 };
 

@@ -17,8 +17,8 @@ struct CsvWindow {
 };
 
 /// The windows of a file and the number of rows outside of them. Each begins window - overlap rows
-/// after the preceding one, and again where a label changes. The last one of a part may be shorter if
-/// the description keeps it.
+/// after the preceding one, and again where a label changes. The last one of a part may be shorter
+/// if the description keeps it.
 struct CsvWindows {
   std::vector<CsvWindow> windows;
   std::size_t left_out = 0;

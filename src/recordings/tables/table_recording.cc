@@ -43,7 +43,7 @@ Result<std::vector<std::string>> names_in(const std::string& bytes, const std::s
 // labels are not required.
 Result<WholeTable> table_for_features(const std::string& bytes, const std::string& where,
                                       const RecordingParameters& parameters) {
-  CsvOptions options = options_of(parameters);
+  CsvOptions const options = options_of(parameters);
   CsvOptions by_name = options;
   by_name.columns = {{}, {}, parameters.features};
   const bool has_names = !is_npy(bytes) && !holds_variables(bytes);
@@ -113,15 +113,14 @@ Recording recording_of(const WholeTable& whole, const std::string& path, bool ma
 Result<Recording> read_table_recording(const std::string& path,
                                        const RecordingParameters& parameters) {
   if (parameters.format != RecordingFormat::kAutomatic) {
-    return fail(ErrorKind::kUsage,
-                fmt::format("the format is {}, and the file is a table",
-                            choice_name(parameters.format)),
-                path, "leave out the format, or use the folder of the data");
+    return fail(
+        ErrorKind::kUsage,
+        fmt::format("the format is {}, and the file is a table", choice_name(parameters.format)),
+        path, "leave out the format, or use the folder of the data");
   }
   SOMATO_TRY(const std::string bytes, read_whole(path));
-  auto whole = parameters.features.empty()
-                   ? whole_table(bytes, path, options_of(parameters))
-                   : table_for_features(bytes, path, parameters);
+  auto whole = parameters.features.empty() ? whole_table(bytes, path, options_of(parameters))
+                                           : table_for_features(bytes, path, parameters);
   if (!whole) return fail(std::move(whole.error()));
   SOMATO_TRY_VOID(add_labels_of_file(parameters, *whole));
   return recording_of(*whole, path, parameters.missing == MissingValues::kMask);

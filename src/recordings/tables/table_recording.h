@@ -8,8 +8,8 @@
 
 namespace somato {
 
-/// The table of numbers in the file at `path` as a recording; see load_recording(). Errors: those of
-/// read_numbers(); kUsage for a format.
+/// The table of numbers in the file at `path` as a recording; see load_recording(). Errors: those
+/// of read_numbers(); kUsage for a format.
 Result<Recording> read_table_recording(const std::string& path,
                                        const RecordingParameters& parameters);
 

@@ -179,7 +179,8 @@ const Declarations<InformationParameters>& InformationParameters::declarations()
   using P = InformationParameters;
   static const auto declared =
       Declarations<P>()
-          .add("labels", &P::labels, "", Range::any(), "Labels by which the vectors are compared; by default that of the study.")
+          .add("labels", &P::labels, "", Range::any(),
+               "Labels by which the vectors are compared; by default that of the study.")
           .add("individual", &P::individual, "", Range::any(),
                "Label of the individuals, such as the object if a label is its shape: a label is "
                "then also predicted from other individuals, and an order is that of the "
@@ -214,9 +215,15 @@ Result<Information> measure_information(const StudyDescription& description,
   SOMATO_TRY(const auto vectors, vectors_of(system, recording, module, threads));
 
   const SystemModule& gives = system.modules()[module];
-  Information information{description.study.name, content_hash(recording), parameters, gives.name,
-                          vectors.count(),        vectors.size(),
-                          element_names(system, module), {}, {}};
+  Information information{description.study.name,
+                          content_hash(recording),
+                          parameters,
+                          gives.name,
+                          vectors.count(),
+                          vectors.size(),
+                          element_names(system, module),
+                          {},
+                          {}};
   const Matrix<double> distances = distances_between(vectors, threads);
   for (const std::string& label : parameters.labels) {
     SOMATO_TRY(auto about, about_label(label, recording, vectors, distances, individuals));

@@ -7,6 +7,9 @@
 #include <map>
 #include <optional>
 
+#include "base/files/toml_file.h"
+#include "somato/core/value.h"
+#include "somato/studies/study_parameters.h"
 #include "studies/results/main_result.h"
 
 namespace somato {
@@ -27,8 +30,43 @@ std::string word(const std::string& text) {
   return quoted + "'";
 }
 
-std::vector<std::string> commands_of_suggestion(const std::string& data, const std::string& label) {
-  const std::string of_label = label == "object" ? "" : " --label " + word(label);
+std::string listed(const Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value.content)) return *text;
+  const auto* list = std::get_if<Value::List>(&value.content);
+  if (!list) return to_toml(value);
+  std::string items;
+  for (const Value& item : *list) items += (items.empty() ? "" : ",") + listed(item);
+  return items;
+}
+
+// The flags that select the rows and columns of a table as the study did; empty for a recording.
+std::string table_flags(const PartResults& part) {
+  const auto table = parse_toml(part.study, "study");
+  const auto study = table ? read_study(*table) : fail(table.error());
+  if (!study) return {};
+  std::string flags;
+  for (const auto& parameter : RecordingParameters::declarations().all()) {
+    const Value value = parameter.read(study->recording);
+    const std::string& name = parameter.info.name;
+    if (name == "format" || value == parameter.read(RecordingParameters{})) continue;
+    std::string flag = name;
+    std::ranges::replace(flag, '_', '-');
+    flags += " --" + flag + " ";
+    if (name == "missing") {
+      flags += "mean";
+    } else if (name == "header") {
+      flags += *study->recording.header ? "yes" : "no";
+    } else {
+      flags += word(listed(value));
+    }
+  }
+  return flags;
+}
+
+std::vector<std::string> commands_of_suggestion(const std::string& data, const std::string& label,
+                                                const std::string& of_table) {
+  const bool is_default = label == "object" || !of_table.empty();
+  const std::string of_label = is_default ? of_table : " --label " + word(label);
   return {fmt::format("somato suggest {}{} -o suggested.toml", word(data), of_label),
           fmt::format("somato run suggested.toml --data {} --out out/suggested", word(data))};
 }
@@ -70,7 +108,7 @@ class Proposals {
                              "or explore longer."
                            : "Compare codes and combinations of the channels."),
          is_suggested ? std::vector<std::string>()
-                      : commands_of_suggestion(files_.data, protocol_.label),
+                      : commands_of_suggestion(files_.data, protocol_.label, table_flags(part_)),
          is_suggested ? kOfData : kOfSuggestions});
   }
 

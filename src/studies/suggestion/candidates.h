@@ -33,7 +33,8 @@ struct CandidateGroup {
   std::vector<std::size_t> senses;
   std::vector<FrameSource> sources;
   std::vector<CandidateCode> candidates;
-  std::vector<Scaling> scalings{std::begin(kAllScalings), std::end(kAllScalings)};  ///< Of codes.
+  /// In which each code is compared.
+  std::vector<Scaling> scalings{std::begin(kAllScalings), std::end(kAllScalings)};
 };
 
 /// Resources for the comparison of candidates.

@@ -101,7 +101,8 @@ class SystemOfParts {
   void add_map(const std::string& input) {
     const auto explorations = static_cast<double>(suggestion_.explorations);
     const auto wanted = static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * explorations)));
-    const auto side = static_cast<std::int64_t>(std::clamp(wanted, suggestion_.parameters.least_side, kLongestSide));
+    const auto side = static_cast<std::int64_t>(
+        std::clamp(wanted, suggestion_.parameters.least_side, kLongestSide));
     const SystemBuilder builder =
         SystemBuilder("").module("map", "som",
                                  {{"input", {input}},

@@ -103,8 +103,8 @@ Result<Suggestion> suggest(const Recording& recording, const SuggestionParameter
 
 /// The suggestion as the TOML file of a study, with its reasons as comments. The tables `[study]`
 /// and `[explore]` of `like`, the file of another study, replace those of the suggestion, except
-/// for the name and the map, so that both can be compared on the same recordings. `recording` is how
-/// the recording was read.
+/// for the name and the map, so that both can be compared on the same recordings. `recording` is
+/// how the recording was read.
 std::string to_toml(const Suggestion& suggestion, const Table& like = {},
                     const RecordingParameters& recording = {});
 

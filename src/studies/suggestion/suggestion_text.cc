@@ -232,8 +232,7 @@ Json json_of(const Suggestion& suggestion, const SuggestedPart& part) {
 std::string to_toml(const Suggestion& suggestion, const Table& like,
                     const RecordingParameters& recording) {
   return heading_of(suggestion) + study_of(suggestion, like) + recording_of(recording) +
-         explore_of(like) +
-         modules_of(suggestion);
+         explore_of(like) + modules_of(suggestion);
 }
 
 std::string to_json(const Suggestion& suggestion) {

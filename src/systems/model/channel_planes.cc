@@ -24,7 +24,8 @@ ChannelPlanes of_channel(const System& system, std::size_t module, const Source&
   for (const ChannelLayout& channel : system.layout().channels) {
     if (channel.name != source.channel()) continue;
     planes.unit = channel.unit;
-    planes.elements = taken_elements(system.description().modules[module].settings, channel.element_names);
+    planes.elements =
+        taken_elements(system.description().modules[module].settings, channel.element_names);
   }
   if (planes.elements.size() != own.output.size()) {
     planes.elements = numbers_as_names(own.output.size());
@@ -77,7 +78,8 @@ detail::FoldedWeights weights_of(const Som& som, std::size_t neuron) {
 // All elements of the map's input.
 ChannelPlanes input_planes(const System& system, std::size_t input, const Som& som) {
   const SystemModule& module = system.modules()[input];
-  ChannelPlanes planes{module.name, {}, module.output.shape, numbers_as_names(som.input_size()), {}, {}};
+  ChannelPlanes planes{module.name, {}, module.output.shape, numbers_as_names(som.input_size()),
+                       {},          {}};
   planes.values = Matrix<double>(som.neurons(), som.input_size());
   for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
     for (std::size_t element = 0; element < som.input_size(); ++element) {

@@ -111,8 +111,7 @@ class ChannelModule : public Source {
         return fail(ErrorKind::kData,
                     fmt::format("channel '{}', frame {}, element {} is not valid", channel.name,
                                 row + 1, elements_[i] + 1),
-                    {},
-                    R"(set 'invalid' of the module to "zero" or "hold", or 'fill' to numbers)");
+                    {}, R"(set 'invalid' of the module to "zero" or "hold", or 'fill' to numbers)");
       } else if (is_first || parameters_.invalid != Invalid::kHold) {
         values[i] = filled(i);
       }

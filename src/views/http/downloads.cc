@@ -22,8 +22,7 @@ Result<std::string> recording_bytes(const Recording& recording) {
 }
 
 Result<std::string> system_bytes(const SystemModel& model) {
-  return content(
-      [&](const std::string& path) { return save_system(path, model); });
+  return content([&](const std::string& path) { return save_system(path, model); });
 }
 
 }  // namespace somato::live

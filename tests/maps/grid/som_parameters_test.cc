@@ -106,11 +106,12 @@ TEST(MapSize, FollowsTheNumberOfSamples) {
   const SomParameters few = decided(automatic(), 316);
   EXPECT_EQ(few.rows, 13U);
   EXPECT_EQ(few.columns, 14U);
-  EXPECT_EQ(few.iterations, 18200U);
+  EXPECT_EQ(few.iterations, 20000U) << "18200 are 100 a neuron";
   EXPECT_EQ(few.radius_end, 0.5);
   const SomParameters many = decided(automatic(), 10000);
   EXPECT_EQ(many.rows, 32U);
   EXPECT_EQ(many.columns, 31U);
+  EXPECT_EQ(many.iterations, 99200U);
   const SomParameters one = decided(automatic(), 1);
   EXPECT_EQ(one.rows, 3U);
   EXPECT_EQ(one.columns, 3U);

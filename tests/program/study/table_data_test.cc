@@ -63,7 +63,8 @@ TEST_F(TableData, TheSuggestionOfColumnsOfUnknownUnitsIsStandardized) {
 
 TEST_F(TableData, MissingValuesGetTheMeanOfTheirColumn) {
   write("t.csv", table("NA"));
-  expect_refused(1, {"suggest", "t.csv", "--label-column", "kind", "--skip", "date", "-o", "s.toml"},
+  expect_refused(1,
+                 {"suggest", "t.csv", "--label-column", "kind", "--skip", "date", "-o", "s.toml"},
                  {"t.csv:6:12"});
   suggest({"--missing", "mean"});
   EXPECT_NE(read("s.toml").find("\nfill = ["), std::string::npos);

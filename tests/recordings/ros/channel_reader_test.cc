@@ -73,8 +73,9 @@ std::string pads_message(std::uint32_t rows, std::uint32_t columns, std::uint32_
 TEST(ChannelReader, TheShapeOfAListIsThatOfTheRowsAndColumnsBesideIt) {
   for (const auto& [rows, columns] :
        {std::pair("rows", "cols"), std::pair("rows", "columns"), std::pair("height", "width")}) {
-    const auto type = type_of(fmt::format(
-        "pkg/Pad[] pads\n===\nMSG: pkg/Pad\nuint32 {}\nuint32 {}\nfloat32[] data\n", rows, columns));
+    const auto type = type_of(
+        fmt::format("pkg/Pad[] pads\n===\nMSG: pkg/Pad\nuint32 {}\nuint32 {}\nfloat32[] data\n",
+                    rows, columns));
     const ChannelReader reader = ChannelReader::compile(type, {"pads[0].data"}).value();
     EXPECT_EQ(reader.shape(pads_message(2, 3, 6)).value(), (Shape{2, 3})) << rows;
     EXPECT_TRUE(reader.shape(pads_message(2, 3, 7)).value().empty());

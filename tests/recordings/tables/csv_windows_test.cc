@@ -101,8 +101,9 @@ TEST_F(ImportWindows, AnIncompleteOneIsKeptOnRequest) {
   EXPECT_EQ(imported()[3], "a a.csv 4 67");
   plan_.trials.overlap = 0;
   plan_.trials.window.reset();
-  EXPECT_EQ(refusal(), "incomplete: 'incomplete' has no effect without 'window'; write for example "
-                       "window = 500");
+  EXPECT_EQ(refusal(),
+            "incomplete: 'incomplete' has no effect without 'window'; write for example "
+            "window = 500");
 }
 
 TEST_F(ImportWindows, DoNotCrossAChangeOfLabel) {

@@ -72,8 +72,7 @@ TEST(TableRecording, LabelsOfAFileAreOneForEachRow) {
   ASSERT_TRUE(write_npy(path, Matrix<float>(2, 2, {1, 2, 3, 4})));
   const std::string labels = folder.with("labels.txt", "cup\ncan\n");
   const Recording recording = load_recording({.labels = labels}, path).value();
-  EXPECT_EQ(recording.explorations[1].labels,
-            (std::vector<Label>{{"label", "can"}, {"row", "2"}}));
+  EXPECT_EQ(recording.explorations[1].labels, (std::vector<Label>{{"label", "can"}, {"row", "2"}}));
   EXPECT_TRUE(recording.explorations[1].channels[0].element_names.empty());
   expect_refused(load_recording({.labels = folder.with("few.txt", "cup\n")}, path),
                  "1 labels for 2 rows");
@@ -86,9 +85,9 @@ TEST(TableRecording, SettingsOfTablesAreRefusedForOtherData) {
   const TemporaryFolder folder;
   const std::string path = folder.with("t.mcap", "not a recording");
   expect_refused(load_recording({.skip = {"a"}}, path), "'skip' is a setting of tables");
-  expect_refused(load_recording({.format = RecordingFormat::kIcubGrasp},
-                                folder.with("t.csv", "1,2\n3,4\n")),
-                 "the format is icub_grasp, and the file is a table");
+  expect_refused(
+      load_recording({.format = RecordingFormat::kIcubGrasp}, folder.with("t.csv", "1,2\n3,4\n")),
+      "the format is icub_grasp, and the file is a table");
 }
 
 TEST(TableRecording, ATextThatIsNoTableIsRefusedWithItsPlace) {
@@ -96,8 +95,8 @@ TEST(TableRecording, ATextThatIsNoTableIsRefusedWithItsPlace) {
   expect_refused(load_recording(RecordingParameters{}, folder.with("t.csv", "a,b\n1,2\n3\n")),
                  "t.csv:3");
   expect_refused(load_recording(RecordingParameters{}, folder.with("e.csv", "")), "e.csv");
-  expect_refused(load_recording(RecordingParameters{}, folder.with("b.csv", std::string("\0\1", 2))),
-                 "b.csv");
+  expect_refused(
+      load_recording(RecordingParameters{}, folder.with("b.csv", std::string("\0\1", 2))), "b.csv");
 }
 
 }  // namespace

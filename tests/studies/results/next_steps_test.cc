@@ -68,6 +68,17 @@ TEST(NextSteps, NameTheFilesAsAShellReadsThem) {
   EXPECT_FALSE(step_with(next_steps(own, {"data", ""}), "Classify new"));
 }
 
+TEST(NextSteps, ReadATableAsItsStudyDid) {
+  PartResults table = part(0.8, 0.82);
+  table.recordings[0].name = "t.csv";
+  table.study =
+      "[study]\nname = 's'\n[recording]\nlabel_column = 'the kind'\nskip = ['date', 'note']\n"
+      "missing = 'mask'\nheader = false\n";
+  EXPECT_EQ(next_steps(table, {})[0].commands.at(0),
+            "somato suggest t.csv --label-column 'the kind' --skip date,note --missing mean "
+            "--header no -o suggested.toml");
+}
+
 TEST(NextSteps, CountFewSamples) {
   EXPECT_FALSE(step_with(next_steps(part(0.97, 0.98), {}), "There are only"));
   PartResults few = part(0.97, 0.98);

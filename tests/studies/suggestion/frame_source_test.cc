@@ -69,8 +69,7 @@ TEST(FrameSource, FindsAnOnsetThatVaries) {
   ASSERT_TRUE(onset.has_value());
   EXPECT_EQ(onset->threshold, 2.0);  // a fifth of 10
   EXPECT_EQ(onset->length, 10U);
-  const auto source =
-      from_onset(channel_source("touch", frames, 0), *onset);
+  const auto source = from_onset(channel_source("touch", frames, 0), *onset);
   EXPECT_EQ(values_of(frames_of(frames, source, 1).value(), 2), FloatValues(10, 12.0F));
 }
 

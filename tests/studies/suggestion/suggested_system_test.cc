@@ -12,10 +12,8 @@ using Names = std::vector<std::string>;
 // The scaled last frame of a channel.
 CandidateGroup group_of(const std::string& channel, const Recording& recording,
                         std::size_t number) {
-  CandidateGroup group{
-      {number}, {channel_source(channel, recording, number)}, {}};
-  group.sources[0].modules.push_back(
-      channel_source("unused", recording, 0).modules[0]);
+  CandidateGroup group{{number}, {channel_source(channel, recording, number)}, {}};
+  group.sources[0].modules.push_back(channel_source("unused", recording, 0).modules[0]);
   FrameFacts facts;
   facts.most_frames = 1;
   group.candidates.push_back(

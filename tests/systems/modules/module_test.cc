@@ -161,14 +161,13 @@ TEST(Module, ChannelFillsEachSelectedElementWithItsOwnNumber) {
 TEST(Module, ChannelRefusesFillsThatDoNotFit) {
   const Recording recording = hand_recording(1, 7);
   const auto refused = [&](const std::string& settings) {
-    const auto wrong = testing::try_build(
-        module("m", "channel", "channel = \"joints\"\n" + settings), recording);
+    const auto wrong =
+        testing::try_build(module("m", "channel", "channel = \"joints\"\n" + settings), recording);
     return wrong ? std::string() : to_string(wrong.error());
   };
   EXPECT_NE(refused("fill = [1, 2]").find("'fill' has 2 numbers for 3 elements"),
             std::string::npos);
-  EXPECT_NE(refused("fill = 1\ninvalid = \"zero\"").find("exclude each other"),
-            std::string::npos);
+  EXPECT_NE(refused("fill = 1\ninvalid = \"zero\"").find("exclude each other"), std::string::npos);
 }
 
 TEST(Module, OneHotPutsAOneInTheBinOfEachElement) {
