@@ -56,13 +56,6 @@ Result<void> check_label_given_once(const Arguments& arguments) {
   return fail(ErrorKind::kUsage, "has no effect with --study", "--label", "omit it");
 }
 
-// 15 x 15 neurons are those of the papers, for other data.
-void set_defaults_of_table(const Arguments& arguments, const RecordingParameters& how,
-                           const Recording& table, SuggestionParameters& parameters) {
-  if (!arguments.has("least-side")) parameters.least_side = 1;
-  if (!arguments.has("label")) parameters.label = label_of_table(how, table, parameters.label);
-}
-
 Result<void> run_suggest(const Arguments& arguments) {
   SOMATO_TRY(auto parameters, read_flags<SuggestionParameters>(arguments));
   SOMATO_TRY_VOID(check_label_given_once(arguments));
@@ -72,7 +65,9 @@ Result<void> run_suggest(const Arguments& arguments) {
   RecordingParameters how;
   SOMATO_TRY_VOID(read_table_data(arguments, how));
   SOMATO_TRY(auto recording, read_study_data(how, path));
-  if (is_table(path)) set_defaults_of_table(arguments, how, recording, parameters);
+  if (!arguments.has("label")) {
+    parameters.label = label_of_table(how, recording, parameters.label);
+  }
   auto found = suggest(recording, parameters, {threads, terminal_progress("comparing codes")});
   if (!found) return fail(with_place(std::move(found.error()), path));
   const std::string output = arguments.text("output");

@@ -11,6 +11,7 @@
 #include "nanobind/stl/pair.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
+#include "parameters.h"
 #include "somato/core/parameter.h"
 #include "somato/recording/format.h"
 #include "somato/recording/recording_file.h"
@@ -20,10 +21,6 @@ namespace {
 
 namespace nb = nanobind;
 
-RecordingFormat format_named(const std::string& name) {
-  return value_or_throw(choice_named<RecordingFormat>("format", name, "format"));
-}
-
 Recording checked(Result<Recording> read, const std::string& path) {
   if (read) {
     if (auto valid = validate(*read); !valid) read = fail(std::move(valid.error()));
@@ -32,8 +29,8 @@ Recording checked(Result<Recording> read, const std::string& path) {
   return value_or_throw(std::move(read));
 }
 
-Recording read(const std::string& path, const std::string& format) {
-  const RecordingFormat chosen = format_named(format);
+Recording read(const std::string& path, const nb::dict& settings) {
+  const auto chosen = parameters_of<RecordingParameters>(settings, "read");
   Result<Recording> recording;
   {
     const nb::gil_scoped_release released;
@@ -194,7 +191,7 @@ void bind_recording(nb::module_& module) {
   module.def("frames", &frames, nb::arg("recording"), nb::arg("channel"));
   module.def("valid", &valid, nb::arg("recording"), nb::arg("channel"));
   module.def("times", &times, nb::arg("recording"), nb::arg("channel"));
-  module.def("read", &read, nb::arg("path"), nb::arg("format"));
+  module.def("read", &read, nb::arg("path"), nb::arg("settings"));
   nb::class_<RecordingMaker>(module, "RecordingMaker", "Explorations from arrays.")
       .def(nb::init<>())
       .def("begin", &RecordingMaker::begin, nb::arg("labels"), nb::arg("source"))

@@ -9,6 +9,7 @@ from . import _lerobot, _open_x_tactile, _somato
 from ._channels import flat, rounded
 from ._labels import has_none
 from ._readings import columns_of, readings_of, refuse_unnamed
+from ._tables import arrays_of_table
 from .drawing import Drawing, skin
 from .errors import DataError, LeftOutWarning, UsageError
 
@@ -75,6 +76,27 @@ class Recording:
                           [] if seconds is None else _seconds_of(seconds[exploration], place),
                           marks)
         return cls(maker.finish())
+
+    @classmethod
+    def from_table(cls, table, label_column=None, *, labels=None, skip=(), missing="refuse"):
+        """A recording whose explorations are the rows of a table, as the program reads one.
+
+        Each exploration has one frame of the channel ``columns``, and the labels ``label_column`` (or
+        ``label``) and ``row``, which counts from 1.
+
+        Args:
+            table: A DataFrame, or an array of (rows, columns).
+            label_column: The column with the labels, by name.
+            labels: The labels of the rows instead.
+            skip: Names of columns to leave out.
+            missing: Treatment of missing values: ``refuse``, or ``mask``, which marks them, so that
+                ``suggest`` fills them with the means of their columns.
+
+        Raises:
+            UsageError: There is no such column, or labels are given twice.
+            DataError: As for ``from_arrays``; a column of text is neither the labels nor left out.
+        """
+        return cls.from_arrays(**arrays_of_table(table, label_column, labels, skip, missing))
 
     def __len__(self):
         """The number of explorations."""
@@ -178,14 +200,17 @@ class Recording:
         return f"<Recording of {len(self)} explorations: {names}>"
 
 
-def read(path, format="automatic") -> Recording:  # noqa: A002: as in the program
+def read(path, format="automatic", **table) -> Recording:  # noqa: A002: as in the program
     """The recording in an MCAP file, in a folder of a data set that ``somato import`` knows, in a
-    LeRobotDataset or in a zarr archive of the Open-X-Tactile layout.
+    LeRobotDataset or in a zarr archive of the Open-X-Tactile layout; or the rows of a table of numbers
+    (CSV, NPY, NPZ, MAT), as ``Recording.from_table`` has them.
 
     Args:
         path: File or folder.
         format: The format of a folder, as in ``somato import``, or ``lerobot`` or
             ``open_x_tactile``; automatic: recognized by the names of its files.
+        table: How a table is read, by the keys of ``[recording]`` (docs/reference/flags-and-keys.md), such
+            as ``label_column="object", skip=["date"], missing="mask"``.
 
     Warns:
         LeftOutWarning: A part cannot be a channel, such as pictures; ``Recording.left_out`` names it.
@@ -194,14 +219,14 @@ def read(path, format="automatic") -> Recording:  # noqa: A002: as in the progra
         DataError: The content is damaged, or not a recording.
         ImportError: The package that reads the format is not installed; the message names it.
         OperatingSystemError: The file cannot be read.
-        UsageError: The format is unknown.
+        UsageError: The format or a key is unknown, or a key of tables is given for other data.
     """
     path = os.fspath(path)
     for name, reader in (("lerobot", _lerobot), ("open_x_tactile", _open_x_tactile)):
         if format == name or (format == "automatic" and reader.recognizes(path)):
             arrays, left_out = reader.read(path)
             return _with_left_out(Recording.from_arrays(**arrays), left_out, path)
-    return Recording(_somato.read(path, format))
+    return Recording(_somato.read(path, {"format": format, **table}))
 
 
 def _with_left_out(recording, left_out, path):

@@ -146,6 +146,7 @@ std::vector<SomParameters> kinds_of_training() {
     for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
       SomParameters p;
       p.rows = 10;
+      p.columns = 15;
       p.lattice = lattice;
       p.similarity = similarity;
       p.topology = Topology::kTorus;
@@ -160,6 +161,7 @@ std::vector<SomParameters> kinds_of_training() {
     }
   }
   SomParameters bubble;
+  bubble.rows = bubble.columns = 15;
   bubble.lattice = Lattice::kHexagonal;
   bubble.neighbourhood = NeighbourhoodShape::kBubble;
   bubble.initial_weights = InitialWeights::kSamples;

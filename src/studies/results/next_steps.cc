@@ -9,7 +9,7 @@
 
 #include "base/files/toml_file.h"
 #include "somato/core/value.h"
-#include "somato/studies/study_parameters.h"
+#include "somato/recording/format.h"
 #include "studies/results/main_result.h"
 
 namespace somato {
@@ -41,12 +41,14 @@ std::string listed(const Value& value) {
 
 // The flags that select the rows and columns of a table as the study did; empty for a recording.
 std::string table_flags(const PartResults& part) {
-  const auto table = parse_toml(part.study, "study");
-  const auto study = table ? read_study(*table) : fail(table.error());
-  if (!study) return {};
+  const auto file = parse_toml(part.study, "study");
+  const Table* table = file ? table_in(*file, "recording") : nullptr;
+  const auto recording = table ? read_parameters<RecordingParameters>(*table)
+                               : Result<RecordingParameters>(RecordingParameters());
+  if (!recording) return {};
   std::string flags;
   for (const auto& parameter : RecordingParameters::declarations().all()) {
-    const Value value = parameter.read(study->recording);
+    const Value value = parameter.read(*recording);
     const std::string& name = parameter.info.name;
     if (name == "format" || value == parameter.read(RecordingParameters{})) continue;
     std::string flag = name;
@@ -55,7 +57,7 @@ std::string table_flags(const PartResults& part) {
     if (name == "missing") {
       flags += "mean";
     } else if (name == "header") {
-      flags += *study->recording.header ? "yes" : "no";
+      flags += *recording->header ? "yes" : "no";
     } else {
       flags += word(listed(value));
     }

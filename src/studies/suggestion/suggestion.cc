@@ -72,6 +72,7 @@ class Search {
                                                    parameters.explorations, parameters.seed))),
         layout_(layout_of(recording_)) {
     suggestion_.parameters = parameters;
+    suggestion_.parameters.least_side = parameters.least_side.value_or(least_side());
     suggestion_.explorations = recording.explorations.size();
     suggestion_.compared = recording_.explorations.size();
   }
@@ -88,6 +89,13 @@ class Search {
   }
 
  private:
+  std::size_t least_side() const {
+    for (std::size_t i = 0; i < channels().size(); ++i) {
+      if (has_several_frames(recording_, i)) return 15;
+    }
+    return 1;
+  }
+
   Result<void> proceed(double share) const {
     constexpr double kSteps = 1000.0;
     const auto done = static_cast<std::uint64_t>(share * kSteps);
@@ -397,7 +405,8 @@ const Declarations<SuggestionParameters>& SuggestionParameters::declarations() {
                "Least decrease of the score for which a further part is added.")
           .add("least_side", &P::least_side, "neurons", Range::between(1, 40),
                "Least number of rows and of columns of the map, which has at least two neurons for "
-               "each exploration; 15 as in the papers.")
+               "each exploration; automatic: 15 as in the papers, or 1 if explorations have one "
+               "frame, as the rows of a table.")
           .add("seed", &P::seed, "", Range::between(0, 1e15),
                "Seed of the draw of explorations, if there are more than are compared.");
   return declared;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct SuggestionParameters {
   std::size_t elements = 20000;
   std::vector<double> weights{1.0, 0.5, 2.0, 0.25, 4.0};
   double least_gain = 0.002;
-  std::size_t least_side = 15;
+  std::optional<std::size_t> least_side;
   std::uint64_t seed = 1;
 
   static const Declarations<SuggestionParameters>& declarations();

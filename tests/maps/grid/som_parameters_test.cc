@@ -150,9 +150,9 @@ TEST(MapSize, IsThatOfTheTrainedMap) {
   parameters.iterations = 10;
   const auto som = train_som(parameters, Samples(Matrix<float>(4, 1, {1, 2, 3, 4})));
   ASSERT_TRUE(som);
-  EXPECT_EQ(som->grid().rows(), 3U);
-  EXPECT_EQ(som->grid().columns(), 3U);
-  EXPECT_EQ(som->parameters().rows, 3U);
+  EXPECT_EQ(som->grid().rows(), 4U);
+  EXPECT_EQ(som->grid().columns(), 5U);
+  EXPECT_EQ(som->parameters().rows, 4U);
 }
 
 }  // namespace

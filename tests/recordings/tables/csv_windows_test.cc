@@ -102,7 +102,7 @@ TEST_F(ImportWindows, AnIncompleteOneIsKeptOnRequest) {
   plan_.trials.overlap = 0;
   plan_.trials.window.reset();
   EXPECT_EQ(refusal(),
-            "incomplete: 'incomplete' has no effect without 'window'; write for example "
+            "[import]: 'incomplete' has no effect without 'window'; write for example "
             "window = 500");
 }
 

@@ -60,6 +60,24 @@ TEST(SystemModel, KeepsTheThresholdForUnknownInputs) {
   EXPECT_EQ(bytes_of(folder.file("b")), bytes_of(folder.file("a")));
 }
 
+TEST(SystemModel, KeepsHowTheTableOfItsTrainingWasRead) {
+  const TemporaryFolder folder;
+  SystemModel model{small_system(), small_answer()};
+  model.recording = {.label_column = "kind",
+                     .columns_to_use = {"t*"},
+                     .skip = {"t7", "a,b"},
+                     .missing = MissingValues::kMask,
+                     .decimal = DecimalMark::kComma,
+                     .header = true};
+  ASSERT_TRUE(save_system(folder.file("a"), model));
+  const auto loaded = load_system(folder.file("a"));
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_EQ(loaded->recording, model.recording);
+  EXPECT_EQ(copy_of(*loaded).recording, model.recording);
+  ASSERT_TRUE(save_system(folder.file("b"), *loaded));
+  EXPECT_EQ(bytes_of(folder.file("b")), bytes_of(folder.file("a")));
+}
+
 TEST(SystemModel, IsTheSameWhenLoaded) {
   const TemporaryFolder folder;
   const Recording recording = hand_recording(6, 8);
@@ -314,11 +332,11 @@ std::vector<std::size_t> shape_of_map(const System& system) {
   return system.modules().back().output.shape;
 }
 
-// 5 sqrt(16) = 20 neurons: 4 x 5.
+// 10 sqrt(16) = 40 neurons: 6 x 7.
 TEST(AutomaticSize, FollowsTheExplorationsOrTheFrames) {
   const Recording recording = hand_recording(16, 1);
   const System of_explorations = build(kJoints + kLast + automatic_map_of("closed"), recording);
-  EXPECT_EQ(shape_of_map(of_explorations), (std::vector<std::size_t>{4, 5}));
+  EXPECT_EQ(shape_of_map(of_explorations), (std::vector<std::size_t>{6, 7}));
   const System of_frames = build(kJoints + automatic_map_of("joints"), recording);
   const std::size_t frames = layout_of(recording).frames;  // of sound, 16 to 20 an exploration
   SomParameters expected;
@@ -326,7 +344,7 @@ TEST(AutomaticSize, FollowsTheExplorationsOrTheFrames) {
   expected.columns.reset();
   decide_size(expected, frames);
   EXPECT_EQ(shape_of_map(of_frames), (std::vector<std::size_t>{*expected.rows, *expected.columns}));
-  EXPECT_GT(*expected.rows * *expected.columns, 60U) << "5 sqrt(16 x 16) = 80";
+  EXPECT_GT(*expected.rows * *expected.columns, 120U) << "10 sqrt(16 x 16) = 160";
 }
 
 TEST(AutomaticSize, IsKeptByWhatHasLearned) {
@@ -341,7 +359,7 @@ TEST(AutomaticSize, IsKeptByWhatHasLearned) {
     const auto elsewhere =
         System::build(loaded->system.description(), layout_of(hand_recording(3, 2)));
     ASSERT_TRUE(elsewhere) << to_string(elsewhere.error());
-    EXPECT_EQ(shape_of_map(*elsewhere), (std::vector<std::size_t>{4, 5}));
+    EXPECT_EQ(shape_of_map(*elsewhere), (std::vector<std::size_t>{6, 7}));
   }
 }
 

@@ -149,7 +149,7 @@ TEST(Module, ChannelFillsEachSelectedElementWithItsOwnNumber) {
   joints.valid(0, 1) = 0;
   joints.valid(0, 2) = 0;
   const System system = build(module("m", "channel",
-                                     "channel = \"joints\"\nelements = [3, 1, 2]\n"
+                                     "channel = \"joints\"\nelements = [\"3\", \"1\", \"2\"]\n"
                                      "fill = [30, 10, 20]"),
                               recording);
   const Matrix<float> given = dense(output_of(system, recording, "m", 0));
