@@ -3,7 +3,7 @@
 import numpy as np
 
 from ._readings import columns_of, readings_of, selected
-from .errors import UsageError
+from .errors import DataError, UsageError
 
 _WHERE = "from_table"
 
@@ -21,6 +21,8 @@ def arrays_of_table(table, label_column, labels, skip, missing):
         labels = list(table[label_column])
     features = None if names is None else [name for name in names if name not in left_out]
     values = _values(table if features is None else selected(table, features, _WHERE))
+    if missing == "refuse":
+        _refuse_missing(values, features)
     return {**_masked(values, missing),
             "labels": _labels(label_column or "label", labels, len(values)),
             "element_names": {} if features is None else {"columns": [str(name) for name in features]}}
@@ -43,6 +45,15 @@ def _values(table):
         raise UsageError(f"an array of {values.ndim} axes is not a table", _WHERE,
                          "pass an array of (rows, columns)")
     return values
+
+
+def _refuse_missing(values, features):
+    places = np.argwhere(np.isnan(values))
+    if len(places):
+        row, column = places[0]
+        name = column if features is None else repr(features[column])
+        raise DataError(f"the value of row {row}, column {name} is missing", _WHERE,
+                        "pass missing='mask', or fill it before")
 
 
 def _masked(values, missing):

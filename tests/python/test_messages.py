@@ -81,6 +81,8 @@ def test_of_files(files):
                      lambda path: pysomato.read(path, "yarp"), lambda path: pysomato.read(path, "icub_grasp"),
                      lambda path: pysomato.explore("lucs3", objects=path, explorations=1),
                      lambda path: pysomato.explore("lucs3", settings=path, explorations=1)):
+            if call is pysomato.read and path.suffix != ".mcap":  # it may be a table of numbers
+                continue
             assert refusal(lambda: call(path)), path
 
 

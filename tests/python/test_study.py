@@ -247,7 +247,7 @@ def test_arguments_of_a_figure_are_those_of_the_program(tmp_path):
         figure(tmp_path / "map.gif")
     with pytest.raises(pysomato.UsageError, match="'20in' is not from 20 to 500 mm"):
         figure(tmp_path / "map.pdf", width="20in")
-    with pytest.raises(pysomato.UsageError, match="--caption: has no effect"):
+    with pytest.raises(pysomato.UsageError, match="caption: has no effect"):
         figure(tmp_path / "map.csv", caption=True)
     with pytest.raises(pysomato.Error, match="results.json"):
         figure(tmp_path / "map.pdf", width="3.3in", caption=True, selection="run=1")

@@ -62,7 +62,7 @@ def test_a_table_is_suggested_and_studied():
     ({"label_column": "kind", "skip": ["dy"]}, "there is no column 'dy'"),
     ({"label_column": "kind"}, "day"),
     ({"label_column": "kind", "labels": ["a"] * 3, "skip": ["day"]}, "by a column and by a list"),
-    ({"labels": ["a"], "skip": ["day", "kind"]}, "there are 1 labels for 3 rows"),
+    ({"labels": ["a"], "skip": ["day", "kind"], "missing": "mask"}, "there are 1 labels for 3 rows"),
     ({"label_column": "kind", "skip": ["day"], "missing": "mean"}, "'missing' is 'mean'"),
     ({"label_column": "kind", "skip": ["day"]}, "width"),
 ])

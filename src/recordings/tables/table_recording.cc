@@ -113,10 +113,10 @@ Recording recording_of(const WholeTable& whole, const std::string& path, bool ma
 Result<Recording> read_table_recording(const std::string& path,
                                        const RecordingParameters& parameters) {
   if (parameters.format != RecordingFormat::kAutomatic) {
-    return fail(
-        ErrorKind::kUsage,
-        fmt::format("the format is {}, and the file is a table", choice_name(parameters.format)),
-        path, "leave out the format, or use the folder of the data");
+    return fail(ErrorKind::kData,
+                fmt::format("the format is {}, and the file is not a recording",
+                            choice_name(parameters.format)),
+                path, "use the folder of the data, or leave out the format to read a table");
   }
   SOMATO_TRY(const std::string bytes, read_whole(path));
   auto whole = parameters.features.empty() ? whole_table(bytes, path, options_of(parameters))

@@ -9,7 +9,7 @@
 namespace somato {
 
 /// The table of numbers in the file at `path` as a recording; see load_recording(). Errors: those
-/// of read_numbers(); kUsage for a format.
+/// of read_numbers(); kData for a format.
 Result<Recording> read_table_recording(const std::string& path,
                                        const RecordingParameters& parameters);
 

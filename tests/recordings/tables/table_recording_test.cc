@@ -87,7 +87,7 @@ TEST(TableRecording, SettingsOfTablesAreRefusedForOtherData) {
   expect_refused(load_recording({.skip = {"a"}}, path), "'skip' is a setting of tables");
   expect_refused(
       load_recording({.format = RecordingFormat::kIcubGrasp}, folder.with("t.csv", "1,2\n3,4\n")),
-      "the format is icub_grasp, and the file is a table");
+      "the format is icub_grasp, and the file is not a recording");
 }
 
 TEST(TableRecording, ATextThatIsNoTableIsRefusedWithItsPlace) {

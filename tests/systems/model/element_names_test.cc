@@ -30,8 +30,7 @@ const std::string kHandJoints = module("joints", "channel", "channel = 'joints'"
 TEST(ElementNames, AreThoseOfTheChannelThroughModulesThatKeepElements) {
   const std::string text = kHandJoints + module("last", "last", "input = 'joints'") +
                            module("scaled", "scale", "input = 'last'\nfactor = 2");
-  EXPECT_EQ(names_of(text, "scaled"),
-            (Names{"joints thumb", "joints index", "joints little"}));
+  EXPECT_EQ(names_of(text, "scaled"), (Names{"joints thumb", "joints index", "joints little"}));
 }
 
 TEST(ElementNames, FollowASelectionOfElements) {
