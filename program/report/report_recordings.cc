@@ -29,11 +29,15 @@ Result<void> ReportRecordings::add_table(const std::string& path,
       if (!contains(ways, study.recording)) ways.push_back(study.recording);
     }
   }
+  Result<void> first;
+  bool is_read = false;
   for (const RecordingParameters& way : ways) {
     given_.push_back(GivenRecordings::one(path, way));
-    SOMATO_TRY_VOID(look_at({given_.size() - 1, 0}));
+    auto looked = look_at({given_.size() - 1, 0});
+    is_read = is_read || looked.has_value();
+    if (!looked && first) first = fail(std::move(looked.error()));
   }
-  return {};
+  return is_read ? Result<void>() : first;
 }
 
 std::vector<GivenRecordings> recordings_beside(const std::filesystem::path& results) {

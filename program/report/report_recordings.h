@@ -26,7 +26,7 @@ class ReportRecordings {
   Result<void> add_named(const std::string& path);
 
   /// Adds a table named by the user, as each of the results' studies reads it. Errors: those of
-  /// reading it.
+  /// reading it, if no study can.
   Result<void> add_table(const std::string& path, const std::vector<ReportFile>& files);
 
   /// Adds recordings_beside(): unreadable ones are skipped, and each is only read when it is

@@ -24,17 +24,26 @@ Result<RecordingFormat> read_format(const Arguments& arguments) {
   return choice_named<RecordingFormat>("format", arguments.text("format"), "--format");
 }
 
+// A label with the name of another column of the output has an addition.
+std::string column_name(const std::string& label) {
+  for (const char* taken :
+       {"exploration", "source", "winner", "row", "column", "distance", "novelty"}) {
+    if (label == taken) return label + "_label";
+  }
+  return label;
+}
+
 // The system's output for an exploration, by the names of the columns.
 Table table_of(const SystemModel& model, const Grid& grid, const InputAnswer& given,
                const Exploration& exploration, std::size_t number) {
   const SystemAnswer& answer = *model.answer;
-  const std::string& name = answer.label;
+  const std::string name = column_name(answer.label);
   Table table{{},
               {entry("exploration", number), entry("source", exploration.source),
                entry("winner", given.winner), entry("row", grid.row_of(given.winner)),
                entry("column", grid.column_of(given.winner)),
                entry("distance", given.winner_distance), entry(name, given.name(answer.classes)),
-               entry("given_" + name, find_label(exploration, name).value_or(""))}};
+               entry("given_" + name, find_label(exploration, answer.label).value_or(""))}};
   if (!given.novelty) return table;
   table.entries.push_back(entry("novelty", *given.novelty));
   table.entries.push_back(entry("nearest_" + name, answer.classes[given.nearest]));

@@ -50,10 +50,9 @@ Result<void> read_table_flags(const Arguments& arguments, ReproductionPlan& plan
   for (ReproductionPart& part : plan.parts) {
     StudyDescription& description = part.description;
     SOMATO_TRY(const bool changes, read_table_data(arguments, description.recording));
-    if (!changes) continue;
+    if (!changes && !gives_labels(arguments)) continue;
     description.text.clear();
-    const bool relabels = arguments.has("label-column") || arguments.has("labels");
-    if (!relabels || !arguments.has("data")) continue;
+    if (!gives_labels(arguments) || !arguments.has("data")) continue;
     SOMATO_TRY(const auto table, read_study_data(description.recording, arguments.text("data")));
     description.study.label = label_of_table(description.recording, table, description.study.label);
   }
@@ -113,13 +112,25 @@ Result<void> check_needed(const Arguments& arguments) {
   return {};
 }
 
+// A test table has its columns in the order of the other one.
+Result<RecordingParameters> how_to_read_test(const Arguments& arguments,
+                                             const StudyDescription& description) {
+  RecordingParameters how = description.recording;
+  if (!is_table(arguments.text("test-data"))) return RecordingParameters{.format = how.format};
+  SOMATO_TRY(const auto data, read_study_data(how, arguments.text("data")));
+  how.features = data.explorations.front().channels.front().element_names;
+  how.for_system = is_table(arguments.text("data"));
+  return how;
+}
+
 // One recording, with the seeds of the study.
 Result<PairsRequest> read_pairs(const Arguments& arguments, const StudyDescription& description,
                                 std::size_t threads) {
   PairsRequest request{{description.study.seeds, description.study.first_seed, threads}, 1, {}};
   request.given = GivenRecordings::one(arguments.text("data"), description.recording);
   if (!arguments.has("test-data")) return request;
-  SOMATO_TRY(auto test, read_given(description.recording, arguments.text("test-data")));
+  SOMATO_TRY(const auto how, how_to_read_test(arguments, description));
+  SOMATO_TRY(auto test, read_given(how, arguments.text("test-data")));
   request.test_data = std::make_shared<const PairedRecording>(std::move(test));
   return request;
 }

@@ -56,6 +56,13 @@ Result<void> check_label_given_once(const Arguments& arguments) {
   return fail(ErrorKind::kUsage, "has no effect with --study", "--label", "omit it");
 }
 
+// The name is that of the column in other tables, too, where its number may be another.
+void name_label_column(const Recording& table, RecordingParameters& how) {
+  const Exploration& first = table.explorations.front();
+  const bool has_names = !first.channels.front().element_names.empty();
+  if (!how.label_column.empty() && has_names) how.label_column = first.labels.front().name;
+}
+
 Result<void> run_suggest(const Arguments& arguments) {
   SOMATO_TRY(auto parameters, read_flags<SuggestionParameters>(arguments));
   SOMATO_TRY_VOID(check_label_given_once(arguments));
@@ -68,6 +75,7 @@ Result<void> run_suggest(const Arguments& arguments) {
   if (!arguments.has("label")) {
     parameters.label = label_of_table(how, recording, parameters.label);
   }
+  name_label_column(recording, how);
   auto found = suggest(recording, parameters, {threads, terminal_progress("comparing codes")});
   if (!found) return fail(with_place(std::move(found.error()), path));
   const std::string output = arguments.text("output");

@@ -24,7 +24,8 @@ std::vector<Flag> table_data_flags() {
     if (flag.name == "--missing") {
       flag.text =
           "Treatment of missing values (empty fields, NaN and words such as NA): refuse; mean "
-          "uses the mean of the known values of the column. Default: refuse";
+          "replaces them by the means of the known values, which 'suggest' writes as 'fill' into "
+          "the study. Default: refuse";
     }
     flag.text = "For a table: " + flag.text;
   }
@@ -36,7 +37,9 @@ Result<bool> read_table_data(const Arguments& arguments, RecordingParameters& pa
   SOMATO_TRY(const auto fill, read_missing(arguments));
   SOMATO_TRY(const auto missing, missing_of(fill));
   RecordingParameters given = parameters;
-  if (arguments.has("labels")) given.labels = arguments.text("labels");
+  SOMATO_TRY_VOID(check_labels_given_once(arguments));
+  if (gives_labels(arguments)) given.label_column.clear();
+  if (gives_labels(arguments)) given.labels = arguments.text("labels");
   if (arguments.has("label-column")) given.label_column = std::move(options.label_column);
   if (arguments.has("columns-to-use")) given.columns_to_use = std::move(options.columns.use);
   if (arguments.has("skip")) given.skip = std::move(options.columns.skip);
@@ -47,6 +50,10 @@ Result<bool> read_table_data(const Arguments& arguments, RecordingParameters& pa
   const bool changes = given != parameters;
   parameters = std::move(given);
   return changes;
+}
+
+bool gives_labels(const Arguments& arguments) {
+  return arguments.has("labels") || arguments.has("label-column");
 }
 
 std::string label_of_table(const RecordingParameters& parameters, const Recording& table,

@@ -13,8 +13,11 @@ namespace somato::program {
 /// The flags for data that are a table, as of `somato som`.
 std::vector<Flag> table_data_flags();
 
-/// Replaces the settings of a table that flags give; whether there are any. Errors: kUsage.
+/// Replaces the settings of a table that flags give; whether that changes any. Errors: kUsage.
 Result<bool> read_table_data(const Arguments& arguments, RecordingParameters& parameters);
+
+/// Whether flags give the labels.
+bool gives_labels(const Arguments& arguments);
 
 /// The name of the labels that a column or a file gives to `table`, or `otherwise` without them.
 std::string label_of_table(const RecordingParameters& parameters, const Recording& table,

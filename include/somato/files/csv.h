@@ -71,6 +71,8 @@ struct CsvOptions {
   std::string variable = {};
   /// Treatment of missing numbers: an error, or NaN.
   bool keeps_missing = false;
+  /// Treatment of empty labels: an error, or an empty text.
+  bool keeps_empty_labels = false;
   /// A decimal comma cannot separate fields as well; with a decimal comma, a point is not part of a
   /// number.
   DecimalMark decimal = DecimalMark::kPoint;

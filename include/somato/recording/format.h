@@ -40,9 +40,11 @@ struct RecordingParameters {
   MissingValues missing = MissingValues::kRefuse;
   DecimalMark decimal = DecimalMark::kPoint;
   std::optional<bool> header = {};
-  /// Names of the columns that a trained system needs, which are then selected in this order from a
-  /// table with names, with the labels if the table has them; not a key. Empty: the columns that
-  /// the keys select, with the labels.
+  /// Whether the table is for a trained system, which needs its features only: labels are not
+  /// required. Not a key.
+  bool for_system = false;
+  /// Names of these features, which are then selected in this order from a table with names; not a
+  /// key. Empty: they have no names.
   std::vector<std::string> features = {};
 
   static const Declarations<RecordingParameters>& declarations();

@@ -150,7 +150,7 @@ Result<void> CsvTableReader::read_row(std::vector<float>& values,
 
 Result<void> CsvTableReader::read_label(const CsvField& field,
                                         std::vector<std::string>& labels) const {
-  if (field.text.empty()) {
+  if (field.text.empty() && !options_.keeps_empty_labels) {
     return fail(ErrorKind::kData, "the label is empty", records_.place(field),
                 "give every row a label");
   }

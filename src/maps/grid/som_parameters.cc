@@ -171,7 +171,7 @@ void decide_size(SomParameters& parameters, std::size_t samples) {
   constexpr std::uint64_t kIterations = 100;  // a neuron
   constexpr std::uint64_t kLeastIterations = 20000;
   constexpr double kRadiusEnd = 0.5;  // neighbours then learn an eighth of the winner
-  p.radius_end = p.radius_end.value_or(kRadiusEnd);
+  p.radius_end = p.radius_end.value_or(std::min(kRadiusEnd, p.radius_start.value_or(kRadiusEnd)));
   p.iterations = p.iterations.value_or(
       std::max<std::uint64_t>(kLeastIterations, kIterations * *p.rows * *p.columns));
 }

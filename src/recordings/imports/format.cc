@@ -138,19 +138,28 @@ bool is_table(const std::filesystem::path& path) {
   return extension != ".mcap" && extension != ".db3";
 }
 
-Result<Recording> load_recording(const RecordingParameters& parameters,
-                                 const std::filesystem::path& path) {
-  if (is_table(path)) return read_table_recording(path.string(), parameters);
-  SOMATO_TRY_VOID(check_without_table(parameters, path.string()));
+namespace {
+
+Result<Recording> read_without_table(RecordingFormat format, const std::filesystem::path& path) {
   std::error_code missing;
   if (std::filesystem::is_regular_file(path, missing)) return read_recording(path.string());
-  RecordingFormat format = parameters.format;
   if (format == RecordingFormat::kAutomatic) {
     SOMATO_TRY(format, recognize_format(path));
   }
   const auto* const set = std::find_if(std::begin(kDataSets), std::end(kDataSets),
                                        [&](const DataSet& one) { return one.format == format; });
   return set->import(path);
+}
+
+}  // namespace
+
+Result<Recording> load_recording(const RecordingParameters& parameters,
+                                 const std::filesystem::path& path) {
+  if (is_table(path)) return read_table_recording(path.string(), parameters);
+  auto recording = read_without_table(parameters.format, path);
+  if (!recording) return recording;
+  SOMATO_TRY_VOID(check_without_table(parameters, path.string()));
+  return recording;
 }
 
 Result<Recording> load_recording(RecordingFormat format, const std::filesystem::path& path) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace somato {
@@ -210,12 +211,15 @@ Result<std::vector<std::size_t>> ChannelReader::shape(std::string_view message) 
     SOMATO_TRY(const std::vector<double> more, numbers_at(reader, message));
     lengths.insert(lengths.end(), more.begin(), more.end());
   }
-  if (lengths.size() < 2) return shape;
+  const bool are_lists = !offset_ && lengths.size() > lengths_.size();
+  if (lengths.size() < 2 || are_lists) return shape;
   std::vector<double> values;
   SOMATO_TRY_VOID(read(message, values));
   std::size_t elements = 1;
   for (const double length : lengths) {
-    if (!(length >= 1.0 && length <= static_cast<double>(values.size()))) return Shape();
+    const bool is_possible = length >= 1.0 && length <= static_cast<double>(values.size()) &&
+                             length == std::floor(length);
+    if (!is_possible) return Shape();
     shape.push_back(static_cast<std::size_t>(length));
     elements = elements > values.size() ? 0 : elements * shape.back();
   }

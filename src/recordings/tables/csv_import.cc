@@ -94,10 +94,10 @@ const Declarations<CsvTrials>& CsvTrials::declarations() {
                "Column whose value is the same in consecutive rows of an exploration, such as its "
                "number: a file is divided where it changes. It is a label only if 'labels' lists "
                "it; empty: files are not divided.")
-          .add("window", &P::window, "", Range::at_least(1),
-               "Number of rows of the explorations into which a file is cut; rows of an incomplete "
-               "window are left out and counted. automatic: all rows of a file form one "
-               "exploration.")
+          .add(
+              "window", &P::window, "", Range::at_least(1),
+              "Number of rows of the explorations into which a file is cut. automatic: all rows of "
+              "a file form one exploration.")
           .add("overlap", &P::overlap, "", Range::at_least(0),
                "Number of rows that a window shares with the preceding one.")
           .add("incomplete", &P::incomplete, "", Range::any(),

@@ -12,6 +12,7 @@
 #include "base/numbers/whole_table.h"
 #include "base/tables/csv_records.h"
 #include "base/tables/csv_table_reader.h"
+#include "base/text/flag_hint.h"
 #include "base/text/text.h"
 #include "somato/files/npy.h"
 
@@ -39,18 +40,61 @@ Result<std::vector<std::string>> names_in(const std::string& bytes, const std::s
   return reader.begin().map([&] { return reader.columns().names; });
 }
 
-// A trained system needs its features only: other columns of a table with names are left out, and
-// labels are not required.
-Result<WholeTable> table_for_features(const std::string& bytes, const std::string& where,
-                                      const RecordingParameters& parameters) {
-  CsvOptions const options = options_of(parameters);
-  CsvOptions by_name = options;
-  by_name.columns = {{}, {}, parameters.features};
-  const bool has_names = !is_npy(bytes) && !holds_variables(bytes);
-  const auto names = has_names ? names_in(bytes, where, by_name) : std::vector<std::string>();
-  if (names && names->empty()) return whole_table(bytes, where, options);
-  if (names && !contains(*names, by_name.label_column)) by_name.label_column.clear();
-  return whole_table(bytes, where, by_name);
+// The features of a trained system by their names; nothing if the table has no names.
+Result<std::optional<WholeTable>> table_by_name(const std::string& bytes, const std::string& where,
+                                                const RecordingParameters& parameters,
+                                                CsvOptions options) {
+  if (parameters.features.empty() || is_npy(bytes) || holds_variables(bytes)) {
+    return std::optional<WholeTable>();
+  }
+  options.columns = {{}, {}, parameters.features};
+  SOMATO_TRY(const auto names, names_in(bytes, where, options));
+  if (names.empty()) return std::optional<WholeTable>();
+  if (!contains(names, options.label_column)) options.label_column.clear();
+  return whole_table(bytes, where, options).map([](WholeTable&& table) {
+    return std::optional(std::move(table));
+  });
+}
+
+// A trained system needs its features only: other columns of a table with names are left out,
+// labels are not required, and columns without names may be the features alone.
+Result<WholeTable> table_for_system(const std::string& bytes, const std::string& where,
+                                    const RecordingParameters& parameters) {
+  CsvOptions options = options_of(parameters);
+  options.keeps_empty_labels = true;
+  SOMATO_TRY(auto by_name, table_by_name(bytes, where, parameters, options));
+  if (by_name) return std::move(*by_name);
+  auto as_trained = whole_table(bytes, where, options);
+  if (as_trained || as_trained.error().kind != ErrorKind::kUsage) return as_trained;
+  options.label_column.clear();
+  options.variable.clear();
+  options.columns = {};
+  auto features = whole_table(bytes, where, options);
+  return features ? std::move(features) : std::move(as_trained);
+}
+
+bool is_known(float value) {
+  return !std::isnan(value);
+}
+
+// A value that is not known anywhere cannot be replaced.
+Result<void> check_known(const NumberTable& table, const std::string& where, bool trains) {
+  const Matrix<float>& values = table.values;
+  for (std::size_t row = 0; row < values.rows(); ++row) {
+    if (std::ranges::any_of(values.row(row), is_known)) continue;
+    return fail(ErrorKind::kData, fmt::format("row {} has no known value", row + 1), where,
+                "leave the row out");
+  }
+  for (std::size_t column = 0; trains && column < values.columns(); ++column) {
+    bool any = false;
+    for (std::size_t row = 0; !any && row < values.rows(); ++row)
+      any = is_known(values(row, column));
+    if (any) continue;
+    const std::string name = table.names.empty() ? std::to_string(column + 1) : table.names[column];
+    return fail(ErrorKind::kData, fmt::format("column '{}' has no known value", name), where,
+                "leave the column out" + flag_hint("--skip"));
+  }
+  return {};
 }
 
 // The labels of a separate file are one for each row.
@@ -90,20 +134,30 @@ Channel channel_of_row(const NumberTable& table, std::size_t row, bool may_be_mi
   return channel;
 }
 
-Recording recording_of(const WholeTable& whole, const std::string& path, bool may_be_missing) {
+// An exploration without a label has the name of those that a body explores.
+std::vector<Label> labels_of(const WholeTable& whole, const RecordingParameters& parameters,
+                             std::size_t row) {
+  std::vector<Label> labels;
+  const std::string name = name_of_labels(whole.columns);
+  const bool are_given = !whole.table.labels.empty();
+  if (are_given) {
+    const std::string& value = whole.table.labels[row];
+    labels.push_back({name, value.empty() ? "unknown" : value});
+  }
+  const bool is_taken = (are_given && name == "row") || parameters.label_column == "row";
+  if (!is_taken) labels.push_back({"row", std::to_string(row + 1)});
+  return labels;
+}
+
+Recording recording_of(const WholeTable& whole, const std::string& path,
+                       const RecordingParameters& parameters) {
   const NumberTable& table = whole.table;
-  const std::string label = name_of_labels(whole.columns);
+  const bool may_be_missing = parameters.missing == MissingValues::kMask;
   Recording recording;
   recording.explorations.reserve(table.values.rows());
   for (std::size_t row = 0; row < table.values.rows(); ++row) {
-    Exploration exploration;
-    if (!table.labels.empty()) exploration.labels.push_back({label, table.labels[row]});
-    if (table.labels.empty() || label != "row") {
-      exploration.labels.push_back({"row", std::to_string(row + 1)});
-    }
-    exploration.source = path;
-    exploration.channels.push_back(channel_of_row(table, row, may_be_missing));
-    recording.explorations.push_back(std::move(exploration));
+    recording.explorations.push_back(
+        {labels_of(whole, parameters, row), path, {channel_of_row(table, row, may_be_missing)}});
   }
   return recording;
 }
@@ -119,11 +173,16 @@ Result<Recording> read_table_recording(const std::string& path,
                 path, "use the folder of the data, or leave out the format to read a table");
   }
   SOMATO_TRY(const std::string bytes, read_whole(path));
-  auto whole = parameters.features.empty() ? whole_table(bytes, path, options_of(parameters))
-                                           : table_for_features(bytes, path, parameters);
+  if (bytes.starts_with('{')) {
+    return fail(ErrorKind::kData, "the file is JSON, neither a recording nor a table", path,
+                "use a recording, or a table of numbers");
+  }
+  auto whole = parameters.for_system ? table_for_system(bytes, path, parameters)
+                                     : whole_table(bytes, path, options_of(parameters));
   if (!whole) return fail(std::move(whole.error()));
+  SOMATO_TRY_VOID(check_known(whole->table, path, !parameters.for_system));
   SOMATO_TRY_VOID(add_labels_of_file(parameters, *whole));
-  return recording_of(*whole, path, parameters.missing == MissingValues::kMask);
+  return recording_of(*whole, path, parameters);
 }
 
 Result<void> check_without_table(const RecordingParameters& parameters, const std::string& where) {

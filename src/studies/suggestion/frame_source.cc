@@ -35,6 +35,28 @@ bool may_miss_values(const Recording& recording, std::size_t channel) {
   });
 }
 
+Value::List lengths_of(const Channel& channel) {
+  Value::List lengths;
+  for (const std::size_t length : channel.frame_shape()) {
+    lengths.push_back({static_cast<std::int64_t>(length)});
+  }
+  return lengths;
+}
+
+Value::List names_of_elements(const Channel& channel) {
+  Value::List names;
+  for (const std::string& name : channel.element_names) names.push_back({name});
+  return names;
+}
+
+// Columns of a table with names, which other tables may have in another order.
+bool are_columns(const Recording& recording, std::size_t channel) {
+  const std::vector<std::string>& names =
+      recording.explorations.front().channels[channel].element_names;
+  const std::set<std::string> different(names.begin(), names.end());
+  return !names.empty() && different.size() == names.size() && may_mix_units(recording, channel);
+}
+
 // The mean of the valid values of each element, 0 if there are none.
 Value::List known_means(const Recording& recording, std::size_t channel) {
   const std::size_t elements = recording.explorations.front().channels[channel].frames.columns();
@@ -125,14 +147,21 @@ bool has_several_frames(const Recording& recording, std::size_t channel) {
   });
 }
 
+bool may_mix_units(const Recording& recording, std::size_t channel) {
+  const Channel& first = recording.explorations.front().channels[channel];
+  return first.unit.empty() && first.frames.columns() > 1 &&
+         !has_several_frames(recording, channel);
+}
+
 FrameSource channel_source(const std::string& module, const Recording& recording,
                            std::size_t channel) {
   const Channel& first = recording.explorations.front().channels[channel];
-  Value::List shape;
-  for (const std::size_t length : first.frame_shape()) {
-    shape.push_back({static_cast<std::int64_t>(length)});
+  std::vector<SystemBuilder::Setting> settings{{"channel", {first.name}}};
+  if (are_columns(recording, channel)) {
+    settings.push_back({"elements", {names_of_elements(first)}});
+  } else {
+    settings.push_back({"shape", {lengths_of(first)}});
   }
-  std::vector<SystemBuilder::Setting> settings{{"channel", {first.name}}, {"shape", {shape}}};
   if (may_miss_values(recording, channel)) {
     if (has_several_frames(recording, channel)) {
       settings.push_back({"invalid", {std::string("hold")}});

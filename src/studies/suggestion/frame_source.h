@@ -26,6 +26,10 @@ std::vector<std::string> module_names(const std::vector<std::string>& channels);
 /// Whether an exploration has more than one frame of the channel.
 bool has_several_frames(const Recording& recording, std::size_t channel);
 
+/// Whether the elements of the channel may have different units, like the columns of a table: it
+/// has no unit, and explorations have one frame of it.
+bool may_mix_units(const Recording& recording, std::size_t channel);
+
 /// The source that reads a channel of the recording. Missing values are replaced by the preceding
 /// ones, and without these by the mean of the element's known values in the recording.
 FrameSource channel_source(const std::string& module, const Recording& recording,

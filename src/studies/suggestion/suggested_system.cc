@@ -102,7 +102,7 @@ class SystemOfParts {
     const auto explorations = static_cast<double>(suggestion_.explorations);
     const auto wanted = static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * explorations)));
     const auto side = static_cast<std::int64_t>(
-        std::clamp(wanted, suggestion_.parameters.least_side.value_or(1), kLongestSide));
+        std::clamp(wanted, suggestion_.parameters.least_side.value_or(15), kLongestSide));
     const SystemBuilder builder =
         SystemBuilder("").module("map", "som",
                                  {{"input", {input}},

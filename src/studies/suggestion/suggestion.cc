@@ -148,13 +148,6 @@ class Search {
     return module_names(names);
   }
 
-  // The columns of a table may have different units, on which only standardized vectors do not
-  // depend.
-  bool may_mix_units(std::size_t channel) const {
-    return layout_.channels[channel].unit.empty() && channels()[channel].frames.columns() > 1 &&
-           !has_several_frames(recording_, channel);
-  }
-
   Result<void> compare_senses() {
     const std::vector<std::size_t> senses = channels_with(ChannelRole::kSense);
     groups_.resize(channels().size());
@@ -164,7 +157,8 @@ class Search {
       const double from = each * static_cast<double>(i);
       CandidateGroup& group = groups_[senses[i]];
       group.sources = {source_of(senses[i])};
-      if (may_mix_units(senses[i])) group.scalings = {Scaling::kStandardized};
+      // Only standardized vectors do not depend on the units of their elements.
+      if (may_mix_units(recording_, senses[i])) group.scalings = {Scaling::kStandardized};
       const bool has_speed = group.sources.front().outputs.size() > 1;
       SOMATO_TRY(neighbourhoods_[senses[i]],
                  compare_codes(recording_, group, has_speed, limits(from, from + each)));

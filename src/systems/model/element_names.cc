@@ -10,9 +10,11 @@ namespace somato {
 namespace {
 
 // Each element of their output comes from the element of their input at the same place.
-const std::vector<std::string> kElementwise{"first",     "last",          "mean",
-                                            "change",    "accumulate",    "scale",
-                                            "logarithm", "normalization", "standardization"};
+const std::vector<std::string> kElementwise{"first",         "last",           "mean",
+                                            "change",        "accumulate",     "leaky_accumulate",
+                                            "scale",         "delay",          "mean_removal",
+                                            "high_pass",     "tare",           "logarithm",
+                                            "normalization", "standardization"};
 
 class ElementNames {
  public:
@@ -73,7 +75,8 @@ std::vector<std::string> taken_elements(const Table& settings,
     const auto number = std::find_if(all.begin(), all.end(), [&, i = 0U](const auto&) mutable {
       return std::to_string(++i) == *name;
     });
-    names.push_back(number == all.end() ? *name : *number);
+    const bool is_name = contains(all, *name) || number == all.end();
+    names.push_back(is_name ? *name : *number);
   }
   return names.empty() ? all : names;
 }

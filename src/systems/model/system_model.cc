@@ -186,6 +186,7 @@ RecordingParameters recording_for(const SystemModel& model, const std::string& p
   if (!is_table(path)) return {};
   RecordingParameters parameters = model.recording;
   parameters.labels.clear();  // those of other rows
+  parameters.for_system = true;
   const std::vector<ChannelLayout>& channels = model.system.layout().channels;
   if (channels.size() == 1) parameters.features = channels.front().element_names;
   return parameters;

@@ -4,6 +4,7 @@
 
 #include "base/support/temporary_folder.h"
 #include "somato/files/npy.h"
+#include "somato/recording/recording_file.h"
 
 namespace somato {
 namespace {
@@ -35,15 +36,44 @@ TEST(TableRecording, EachRowIsAnExplorationOfOneFrame) {
 
 TEST(TableRecording, MissingValuesAreMarkedOrRefused) {
   const TemporaryFolder folder;
-  const std::string path = folder.with("t.csv", "a,b\n1,2\n,NA\n");
+  const std::string path = folder.with("t.csv", "a,b\n1,2\n,4\n");
   expect_refused(load_recording(RecordingParameters{}, path), "t.csv:3:1");
   const Recording recording = load_recording({.missing = MissingValues::kMask}, path).value();
   ASSERT_TRUE(validate(recording));
   const Channel& first = recording.explorations[0].channels[0];
   const Channel& second = recording.explorations[1].channels[0];
   EXPECT_EQ(first.valid, Matrix<std::uint8_t>(1, 2, {1, 1}));
-  EXPECT_EQ(second.valid, Matrix<std::uint8_t>(1, 2, {0, 0}));
-  EXPECT_EQ(second.frames, Matrix<float>(1, 2, {0, 0}));
+  EXPECT_EQ(second.valid, Matrix<std::uint8_t>(1, 2, {0, 1}));
+  EXPECT_EQ(second.frames, Matrix<float>(1, 2, {0, 4}));
+}
+
+TEST(TableRecording, RowsAndColumnsWithoutAKnownValueAreRefused) {
+  const TemporaryFolder folder;
+  const RecordingParameters mask{.missing = MissingValues::kMask};
+  expect_refused(load_recording(mask, folder.with("t.csv", "a,b\n1,2\n,NA\n")),
+                 "row 2 has no known value");
+  const std::string column = folder.with("c.csv", "a,b\n1,\n2,NA\n");
+  expect_refused(load_recording(mask, column), "column 'b' has no known value");
+  RecordingParameters for_system = mask;
+  for_system.for_system = true;
+  EXPECT_TRUE(load_recording(for_system, column));
+}
+
+TEST(TableRecording, ASystemNeedsNoLabels) {
+  const TemporaryFolder folder;
+  RecordingParameters trained{.label_column = "3", .for_system = true};
+  const std::string bare = folder.with("bare.csv", "1,2\n3,4\n");
+  EXPECT_EQ(load_recording(trained, bare).value().explorations[1].labels,
+            (std::vector<Label>{{"row", "2"}}));
+  const std::string some = folder.with("some.csv", "1,2,cup\n3,4,\n");
+  const Recording recording = load_recording(trained, some).value();
+  EXPECT_EQ(recording.explorations[0].labels[0], (Label{"label", "cup"}));
+  EXPECT_EQ(recording.explorations[1].labels[0], (Label{"label", "unknown"}));
+  trained.for_system = false;
+  expect_refused(load_recording(trained, some), "the label is empty");
+  trained = {.label_column = "row", .for_system = true, .features = {"a"}};
+  const std::string named = folder.with("named.csv", "a\n1\n2\n");
+  EXPECT_TRUE(load_recording(trained, named).value().explorations[0].labels.empty());
 }
 
 TEST(TableRecording, ColumnsAreChosenAsByTheMapOfATable) {
@@ -58,12 +88,14 @@ TEST(TableRecording, ASystemSelectsItsFeaturesByNameWithoutLabels) {
   const TemporaryFolder folder;
   const std::string path = folder.with("t.csv", ",c,b,a\n9,1,2,3\n");
   const RecordingParameters trained{
-      .label_column = "kind", .skip = {"date"}, .features = {"a", "c"}};
+      .label_column = "kind", .skip = {"date"}, .for_system = true, .features = {"a", "c"}};
   const Exploration row = load_recording(trained, path).value().explorations[0];
   EXPECT_EQ(row.channels[0].element_names, (Names{"a", "c"}));
   EXPECT_EQ(row.channels[0].frames, Matrix<float>(1, 2, {3, 1}));
   EXPECT_EQ(row.labels, (std::vector<Label>{{"row", "1"}}));
-  expect_refused(load_recording({.features = {"a", "d"}}, path), "'d'");
+  expect_refused(
+      load_recording({.label_column = "kind", .for_system = true, .features = {"a", "d"}}, path),
+      "'d'");
 }
 
 TEST(TableRecording, LabelsOfAFileAreOneForEachRow) {
@@ -83,8 +115,15 @@ TEST(TableRecording, LabelsOfAFileAreOneForEachRow) {
 
 TEST(TableRecording, SettingsOfTablesAreRefusedForOtherData) {
   const TemporaryFolder folder;
-  const std::string path = folder.with("t.mcap", "not a recording");
+  const Recording table =
+      load_recording(RecordingParameters{}, folder.with("t.csv", "1,2\n3,4\n")).value();
+  const std::string path = folder.file("t.mcap");
+  ASSERT_TRUE(write_recording(path, table));
   expect_refused(load_recording({.skip = {"a"}}, path), "'skip' is a setting of tables");
+  expect_refused(load_recording({.skip = {"a"}}, folder.with("d.mcap", "no recording")),
+                 "not an MCAP file");
+  expect_refused(load_recording(RecordingParameters{}, folder.with("r.json", "{\"version\": 1}")),
+                 "the file is JSON");
   expect_refused(
       load_recording({.format = RecordingFormat::kIcubGrasp}, folder.with("t.csv", "1,2\n3,4\n")),
       "the format is icub_grasp, and the file is not a recording");

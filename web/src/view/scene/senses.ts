@@ -1,5 +1,5 @@
-// The present values of channels: a bar for each of few elements in the range that they have had,
-// or the samples of a fast channel as a line.
+// The present values of channels: a bar for each of few elements in the range that they have had, or
+// the samples of a fast channel as a line. Elements with a unit share their range.
 
 import type { ChannelData, NumberOrNull } from "../../parts/data";
 import { element, fill, write } from "../../parts/dom";
@@ -54,7 +54,8 @@ function senseOf(channel: ChannelData): Sense {
 
 function barsOf(channel: ChannelData): Sense {
   const shown = channel.elements.slice(0, kMostBars);
-  const ranges = shown.map((): [number, number] => [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY]);
+  const common = emptyRange();
+  const ranges = shown.map(() => (channel.unit === "" ? emptyRange() : common));
   const fills = shown.map(() => element("span", { class: "bar-fill" }));
   const numbers = shown.map(() => element("span", { class: "number" }));
   const rows = shown.map((name, i) =>
@@ -68,12 +69,32 @@ function barsOf(channel: ChannelData): Sense {
     shown.forEach((_, i) => {
       const value = values[i] ?? null;
       write(numbers[i]!, withUnit(digits(value), channel.unit));
-      if (value === null) return;
-      const range = ranges[i]!;
-      range[0] = Math.min(range[0], value);
-      range[1] = Math.max(range[1], value);
-      const share = range[1] > range[0] ? (value - range[0]) / (range[1] - range[0]) : 0;
-      fills[i]!.style.width = `${share * 100}%`;
+      fills[i]!.style.width = `${shareIn(ranges[i]!, value) * 100}%`;
     });
-  return { root: element("ul", { class: "sense-rows" }, rows), show };
+  const further = channel.elements.length - shown.length;
+  const more = further > 0 ? [element("li", { class: "note" }, [`and ${further} more`])] : [];
+  return {
+    root: element("ul", { class: "sense-rows" }, [...rows, ...more]),
+    show: (values) => {
+      shown.forEach((_, i) => widen(ranges[i]!, values[i] ?? null));
+      show(values);
+    },
+  };
+}
+
+type Range = [number, number];
+
+function emptyRange(): Range {
+  return [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+}
+
+function widen(range: Range, value: NumberOrNull): void {
+  if (value === null) return;
+  range[0] = Math.min(range[0], value);
+  range[1] = Math.max(range[1], value);
+}
+
+/** The place of a value in the range, 0 to 1; 0 if the range is not known. */
+function shareIn(range: Range, value: NumberOrNull): number {
+  return value !== null && range[1] > range[0] ? (value - range[0]) / (range[1] - range[0]) : 0;
 }
