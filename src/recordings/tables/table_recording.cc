@@ -57,7 +57,7 @@ Result<std::optional<WholeTable>> table_by_name(const std::string& bytes, const 
 }
 
 // A trained system needs its features only: other columns of a table with names are left out,
-// labels are not required, and columns without names may be the features alone.
+// labels are not required, and columns without names may be only the features.
 Result<WholeTable> table_for_system(const std::string& bytes, const std::string& where,
                                     const RecordingParameters& parameters) {
   CsvOptions options = options_of(parameters);

@@ -38,9 +38,13 @@ class ElementNames {
     return std::back_inserter(names);
   }
 
+  static void prefix(std::vector<std::string>& names, const std::string& with) {
+    for (std::string& name : names) name.insert(0, with + " ");
+  }
+
   std::vector<std::string> of_module(std::size_t module) const {
     std::vector<std::string> names = numbers_as_names(system_.modules()[module].output.size());
-    for (std::string& name : names) name = system_.modules()[module].name + " " + name;
+    prefix(names, system_.modules()[module].name);
     return names;
   }
 
@@ -54,7 +58,7 @@ class ElementNames {
     const bool are_named = names.size() == elements;
     if (!are_named) names = numbers_as_names(elements);
     if (are_named && system_.layout().channels.size() == 1) return names;
-    for (std::string& name : names) name = source.channel() + " " + name;
+    prefix(names, source.channel());
     return names;
   }
 
