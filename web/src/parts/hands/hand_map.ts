@@ -18,6 +18,7 @@ import { nearestTowards } from "./towards";
 export interface HandOptions extends CursorOptions {
   unit?: string;
   size?: number; // about how wide, in pixels
+  mostPitch?: number; // between elements, in pixels; 30 unless given
   palm?: boolean; // whether a palm joins the fingers, with their names
   colour?: (share: number) => string;
 }
@@ -65,7 +66,7 @@ function draw(
 ): Drawn {
   const isHand = layout.kind === "hand";
   const isGrid = layout.kind === "grid";
-  const pitch = Math.max(7, Math.min(30, (options.size ?? 320) / layout.width));
+  const pitch = Math.max(7, Math.min(options.mostPitch ?? 30, (options.size ?? 320) / layout.width));
   const cells = layout.dots.map((dot, i) => cellAt(dot.x * pitch, dot.y * pitch, pitch, i, !isGrid));
   const rings = shape("g", { class: "map-rings", "data-transient": "" });
   const width = Math.max(160, layout.width * pitch);

@@ -9,6 +9,7 @@ import type { Model } from "../session/model";
 import { ForceScale } from "./force_scale";
 
 const kSize = 300;
+const kMostPitch = 75; // so that the scale of a small pad is not drawn larger than the pad
 
 export class Skin {
   readonly root: HTMLElement;
@@ -34,7 +35,7 @@ export class Skin {
 
   private makePicture(): HandPicture {
     const label = this.isTouch ? "Touch sensors" : `Elements of ${this.channel.name}`;
-    const look = { label, colour: touchColour, unit: this.channel.unit, size: kSize, palm: true };
+    const look = { label, colour: touchColour, unit: this.channel.unit, size: kSize, mostPitch: kMostPitch, palm: true };
     const onChoose = (taxel: number) => void this.model.askTaxel(taxel);
     return handMap(this.channel, this.isTouch ? { ...look, onChoose } : look);
   }
