@@ -23,11 +23,13 @@ constexpr std::uint64_t kOnlineIterationsBetweenReports = 64;
 constexpr std::uint64_t kProductIterationsBetweenReports = 256;
 constexpr std::uint64_t kLeastIterationsBetweenReports = 16;  // learned in one pass
 constexpr std::uint64_t kWeightsBetweenReports = std::uint64_t{1} << 28;
+constexpr std::size_t kManyNeurons = std::size_t{1} << 22;  // of which a step takes up to a second
 constexpr std::uint64_t kMoments = 100;
 
 // Fewer on a large map: a user who stops it does not want to wait.
 std::uint64_t iterations_between_reports(const Som& som) {
   if (som.products()) return kProductIterationsBetweenReports;
+  if (som.neurons() > kManyNeurons) return 1;
   const std::uint64_t weights = std::uint64_t{som.neurons()} * som.elements().count();
   return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, kLeastIterationsBetweenReports,
                                    kOnlineIterationsBetweenReports);

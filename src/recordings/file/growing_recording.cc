@@ -128,6 +128,7 @@ void GrowingRecording::leave_file() {
 
 Result<bool> GrowingRecording::begin_again() {
   if (direct_ || !is_due()) return false;
+  next_labels_.clear();  // of the exploration that was lost
   leave_file();
   return open().map([] { return true; });
 }

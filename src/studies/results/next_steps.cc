@@ -16,6 +16,7 @@ namespace somato {
 namespace {
 
 constexpr const char* kOfBaseline = "docs/below-the-baseline.md";
+constexpr const char* kOfContinual = "docs/continual.md";
 constexpr const char* kOfSuggestions = "docs/suggest.md";
 constexpr const char* kOfLive = "docs/live.md";
 constexpr const char* kOfData = "docs/your-data.md";
@@ -85,9 +86,10 @@ class Proposals {
   }
 
   std::vector<NextStep> make() {
-    const bool is_near_chance = result_.accuracy < result_.chance + kLittle;
-    if (is_near_chance || result_.baseline.value_or(1.0) < kPoor) add_other_code(is_near_chance);
-    if (const auto below = far_below_baseline(protocol_)) add_settings(*below);
+    const double below = far_below_baseline(protocol_).value_or(0.0);
+    const double missed_by_neighbour = 1.0 - result_.baseline.value_or(1.0);
+    if (missed_by_neighbour > std::max(1.0 - kPoor, below)) add_other_code(is_near_chance());
+    if (below > 0.0) add_settings(below);
     add_repetitions();
     add_view();
     add_application();
@@ -95,9 +97,13 @@ class Proposals {
   }
 
  private:
-  static constexpr double kLittle = 0.1;
+  static constexpr double kLittle = 0.1;  // of what is above chance
   static constexpr double kPoor = 0.9;
   static constexpr std::size_t kFew = 10;
+
+  bool is_near_chance() const {
+    return result_.accuracy - result_.chance < kLittle * (1.0 - result_.chance);
+  }
 
   void add_other_code(bool is_near_chance) {
     const std::string reason = is_near_chance
@@ -115,12 +121,21 @@ class Proposals {
   }
 
   void add_settings(double below) {
+    if (protocol_.protocol == "object_after_object") return add_replay();
     steps_.push_back(
         {fmt::format("The map is {:.0f} points below the nearest neighbour. In [module.map] of the "
                      "study, set more iterations, a smaller radius_end or more neurons.",
                      100.0 * below),
          {},
          kOfBaseline});
+  }
+
+  void add_replay() {
+    steps_.push_back(
+        {"What is learned later replaces what was learned before. Set replay_per_object of the "
+         "study, so that explorations of earlier objects are learned again.",
+         {},
+         kOfContinual});
   }
 
   void add_repetitions() {

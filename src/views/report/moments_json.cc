@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "recordings/explorations/recording_json.h"
@@ -74,6 +76,16 @@ std::vector<std::size_t> evenly_chosen(std::size_t frames, std::size_t moment, s
   return chosen;
 }
 
+// Missing values are NaN.
+std::vector<float> known_values(const Channel& channel, std::size_t frame) {
+  const std::span<const float> row = channel.frames.row(frame);
+  std::vector<float> values(row.begin(), row.end());
+  for (std::size_t i = 0; i < values.size() && !channel.valid.empty(); ++i) {
+    if (channel.valid(frame, i) == 0) values[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  return values;
+}
+
 Json moment_channel(const Channel& channel, const Channel* touch, std::size_t most) {
   const std::size_t moment = frame_of(channel, touch);
   const std::size_t columns = channel.frames.columns();
@@ -82,14 +94,14 @@ Json moment_channel(const Channel& channel, const Channel* touch, std::size_t mo
   for (const std::size_t frame : evenly_chosen(channel.frames.rows(), moment, most)) {
     times.push_back(time_of(channel, frame));
     if (columns > kMostElements) continue;
-    const auto values = channel.frames.row(frame);
+    const std::vector<float> values = known_values(channel, frame);
     series.insert(series.end(), values.begin(), values.end());
   }
   return {{"channel", channel_json(channel)},
           {"rate", short_number(channel.frame_rate())},
           {"frame", moment},
           {"time", short_number(time_of(channel, moment))},
-          {"values", short_numbers(channel.frames.row(moment))},
+          {"values", short_numbers(std::span<const float>(known_values(channel, moment)))},
           {"times", packed_numbers(times, PackedBits::k16)},
           {"series", packed_rows(series, columns, PackedBits::k8)}};
 }

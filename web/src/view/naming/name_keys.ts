@@ -45,7 +45,7 @@ export class NameKeys {
 
   /** Whether the keys give names. */
   get isOn(): boolean {
-    return this.root.open && !this.root.hidden;
+    return this.root.open && this.root.closest("[hidden]") === null; // a collapsed panel hides it
   }
 
   private show(state: State): void {
