@@ -176,7 +176,22 @@ void decide_size(SomParameters& parameters, std::size_t samples) {
       std::max<std::uint64_t>(kLeastIterations, kIterations * *p.rows * *p.columns));
 }
 
+namespace {
+
+// A single row or column of millions of neurons is a mistake, of which the training could not be
+// stopped soon.
+Result<void> check_given_side(const SomParameters& parameters) {
+  constexpr std::size_t kMost = std::size_t{1} << 20;
+  if (parameters.rows.value_or(1) <= kMost && parameters.columns.value_or(1) <= kMost) return {};
+  return fail(ErrorKind::kUsage,
+              fmt::format("a side of more than {} neurons needs the other side, too", kMost),
+              parameters.rows ? "rows" : "columns", "set 'rows' and 'columns'");
+}
+
+}  // namespace
+
 Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features) {
+  if (parameters.is_size_automatic()) SOMATO_TRY_VOID(check_given_side(parameters));
   decide_size(parameters, samples);
   auto& p = parameters;
   SOMATO_TRY_VOID(Grid::validate(*p.rows, *p.columns, p.lattice, p.topology));

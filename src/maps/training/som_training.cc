@@ -66,6 +66,8 @@ Result<void> train_online(SomStart& start, const TrainingOptions& options) {
   const std::uint64_t total = *p.iterations;
   const std::uint64_t interval = iterations_between_reports(start.som);
   const Stop stop(options.progress, total, interval);
+  // Memory for a learner of so many neurons takes seconds.
+  if (start.som.neurons() > kManyNeurons && stop.after(0)) return Stop::error();
   const Moments moments(options.observer, start.som, total);
   DrawSequence draws(p.draws, start.training.size(), p.seed);
   SomLearner learner(start.som, options.threads);

@@ -145,6 +145,17 @@ TEST(MapSize, HasEvenRowsOnAHexagonalTorus) {
   EXPECT_TRUE(resolve(parameters, 316, 3));
 }
 
+TEST(MapSize, OfMillionsOfNeuronsNeedsBothSides) {
+  SomParameters parameters = automatic();
+  parameters.columns = 1 << 24;
+  const auto refused = resolve(parameters, 4, 2);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kUsage);
+  EXPECT_EQ(refused.error().where, "columns");
+  parameters.rows = 1;
+  EXPECT_TRUE(resolve(parameters, 4, 2));
+}
+
 TEST(MapSize, IsThatOfTheTrainedMap) {
   SomParameters parameters = automatic();
   parameters.iterations = 10;
