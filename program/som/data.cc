@@ -105,11 +105,7 @@ Result<MissingFill> read_missing(const Arguments& arguments) {
 
 Result<std::vector<std::string>> read_labels_of(const Arguments& arguments, std::size_t rows) {
   if (!arguments.has("labels")) return std::vector<std::string>();
-  const std::string path = arguments.text("labels");
-  auto labels = read_labels(path);
-  if (!labels || labels->size() == rows) return labels;
-  return fail(ErrorKind::kData, fmt::format("{} labels for {} rows", labels->size(), rows), path,
-              "write one label per line, in the order of the rows");
+  return read_labels(arguments.text("labels"), rows);
 }
 
 Result<void> check_labels_given_once(const Arguments& arguments) {

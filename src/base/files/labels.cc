@@ -44,4 +44,11 @@ Result<std::vector<std::string>> read_labels(const std::string& path) {
       [&](const std::string& bytes) { return parse_labels(bytes, path); });
 }
 
+Result<std::vector<std::string>> read_labels(const std::string& path, std::size_t rows) {
+  auto labels = read_labels(path);
+  if (!labels || labels->size() == rows) return labels;
+  return fail(ErrorKind::kData, fmt::format("{} labels for {} rows", labels->size(), rows), path,
+              "write one label per line, in the order of the rows");
+}
+
 }  // namespace somato

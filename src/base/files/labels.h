@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,5 +15,8 @@ Result<std::vector<std::string>> parse_labels(std::string_view text, std::string
 
 /// The labels in the file at `path`; see parse_labels() and read_whole().
 Result<std::vector<std::string>> read_labels(const std::string& path);
+
+/// The same for a table of `rows` rows. Errors: also kData for another number of labels.
+Result<std::vector<std::string>> read_labels(const std::string& path, std::size_t rows);
 
 }  // namespace somato

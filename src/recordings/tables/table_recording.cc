@@ -104,12 +104,8 @@ Result<void> add_labels_of_file(const RecordingParameters& parameters, WholeTabl
     return fail(ErrorKind::kUsage, "labels are given by a column and by a file", parameters.labels,
                 "use one of them");
   }
-  SOMATO_TRY(whole.table.labels, read_labels(parameters.labels));
-  const std::size_t rows = whole.table.values.rows();
-  if (whole.table.labels.size() == rows) return {};
-  return fail(ErrorKind::kData,
-              fmt::format("{} labels for {} rows", whole.table.labels.size(), rows),
-              parameters.labels, "write one label per line, in the order of the rows");
+  SOMATO_TRY(whole.table.labels, read_labels(parameters.labels, whole.table.values.rows()));
+  return {};
 }
 
 // The name of a column without a name is "label".
