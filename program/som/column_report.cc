@@ -68,4 +68,14 @@ void note_columns_and_filled(const RowData& rows) {
   if (rows.known.missing() > 0) fmt::print(stderr, "somato: {}: filled {}\n", path, filled(rows));
 }
 
+void note_rounded(const RowData& rows) {
+  if (is_quiet()) return;
+  for (const std::string& column : rows.rounded) {
+    fmt::print(stderr,
+               "somato: {}: {}; train the map with --standardize, which subtracts the mean before "
+               "rounding, or subtract an offset\n",
+               printable(rows.path), printable(column));
+  }
+}
+
 }  // namespace somato::program

@@ -18,4 +18,8 @@ std::string columns_and_filled(const RowData& rows);
 /// filled; prints nothing if there are none, or with --quiet.
 void note_columns_and_filled(const RowData& rows);
 
+/// Warns on standard error of columns of which rounding to single precision loses something;
+/// prints nothing if there are none, or with --quiet.
+void note_rounded(const RowData& rows);
+
 }  // namespace somato::program

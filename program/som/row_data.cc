@@ -11,6 +11,7 @@
 
 #include "base/files/whole_file.h"
 #include "maps/som/initial_weights.h"
+#include "som/column_report.h"
 #include "som/data.h"
 #include "som/memory_flag.h"
 #include "som/stoppable_rows.h"
@@ -150,6 +151,7 @@ class RowReader {
       if (progress && !progress(done, kSteps)) return reading_stopped();
     }
     if (progress) progress(kSteps, kSteps);
+    rows_.rounded = file.rounded();
     rows_.classes = std::move(classes_).classes();
     return {};
   }
@@ -246,7 +248,10 @@ Result<void> RowData::fill(const std::vector<double>& means, const std::vector<d
 Result<RowData> read_rows(const Arguments& arguments, const std::vector<std::string>& features,
                           JoinedProcesses* processes, const std::vector<ColumnScale>& scales,
                           std::shared_ptr<const std::string> text) {
-  return RowReader(arguments, processes).read({{}, {}, features, scales}, std::move(text));
+  SOMATO_TRY(auto rows,
+             RowReader(arguments, processes).read({{}, {}, features, scales}, std::move(text)));
+  if (!processes || processes->is_first()) note_rounded(rows);
+  return rows;
 }
 
 Result<void> refuse_constant_columns(const RowData& rows, const std::string& path) {

@@ -20,6 +20,7 @@ class RowData {
  public:
   TableColumns columns;                        ///< The roles of the file's columns.
   std::vector<std::string> features;           ///< Names of the feature columns, or empty.
+  std::vector<std::string> rounded;            ///< NumberSource::rounded().
   Classes classes;                             ///< The classes of the rows; empty without labels.
   std::string path;                            ///< The path of the file, or of the first.
   std::size_t count = 0;                       ///< Rows, of all processes that share the file.

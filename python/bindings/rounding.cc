@@ -73,6 +73,13 @@ class Rounding {
     value_or_throw(precision_.check_as(of, where));
   }
 
+  /// A sentence for each column of which rounding loses something; `text` is called with its
+  /// number.
+  std::vector<std::string> notes(const nb::callable& text) const {
+    return precision_.notes_as(
+        [&](std::size_t column) { return nb::cast<std::string>(text(column)); });
+  }
+
   const ColumnPrecision& precision() const { return precision_; }
 
  private:
@@ -97,6 +104,7 @@ void bind_rounding(nb::module_& module) {
       .def("sparse", &Rounding::sparse, nb::arg("elements").noconvert(),
            nb::arg("values").noconvert(), nb::arg("count"), nb::arg("columns"))
       .def("check", &Rounding::check, nb::arg("text"), nb::arg("where"))
+      .def("notes", &Rounding::notes, nb::arg("text"))
       .def("deviations", [](const Rounding& rounding) { return rounding.precision().deviations(); })
       .def("__getstate__",
            [](const Rounding& rounding) { return rounding.precision().statistics(); })

@@ -14,7 +14,8 @@ from sklearn.utils.validation import check_is_fitted, validate_data
 from . import _somato
 from ._numbers import one_of
 from ._readings import columns_of, is_frame, readings_of, selected
-from .errors import ConversionWarning, DataError, NotFittedError, errors_of_sklearn
+from .errors import (ConversionWarning, DataError, NotFittedError, PrecisionWarning,
+                     errors_of_sklearn)
 
 # Bytes of converted rows from which on the conversion is reported: smaller ones cost next to nothing.
 _WORTH_A_REPORT = 2**24
@@ -100,6 +101,7 @@ def _rounded(estimator, X, reset, further, least, missing, scales, **options):
     rows = _round(exact, rounding, names)
     _check(rounding, names)
     if reset or further:
+        _warn_of_rounded(rounding, names)
         estimator._rounding = (rounding if reset
                                else _of_all_calls(estimator, exact, offsets, names))
     _report_conversion(X, rows)
@@ -108,6 +110,13 @@ def _rounded(estimator, X, reset, further, least, missing, scales, **options):
 
 def _check(rounding, names):
     rounding.check(lambda column: _column(names, column), _WHERE)
+
+
+def _warn_of_rounded(rounding, names):
+    """Warns of columns of which rounding to float32 loses something."""
+    for note in rounding.notes(lambda column: _column(names, column)):
+        warnings.warn(f"{note}; subtract its mean before fit, as StandardScaler does in a pipeline",
+                      PrecisionWarning, stacklevel=level_of_user())
 
 
 def _of_all_calls(estimator, exact, offsets, names):

@@ -58,6 +58,10 @@ class LabelWarning(UserWarning):
     """Labels may not mean what they seem to; the message says why."""
 
 
+class PrecisionWarning(UserWarning):
+    """float32 holds the values of a column only coarsely; the message says what is lost."""
+
+
 class ConversionWarning(exceptions.DataConversionWarning):
     """Many rows were copied in order to convert them; reported once for each reason in a process."""
 

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -38,6 +39,18 @@ def test_every_estimator_refuses_them(raw, estimator):
     near = np.random.default_rng(2).random((60, 2))
     estimator.fit(near)
     refused(lambda: estimator.transform(raw))
+
+
+def test_columns_that_lose_something_are_reported():
+    near = np.random.default_rng(1).normal(size=(60, 2))
+    far = near + [1e6, 0]
+    with pytest.warns(pysomato.PrecisionWarning, match="column 0 is rounded.*0.0625 apart") as caught:
+        SOM(3, 3).fit(far)
+    assert len(caught) == 1
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        SOM(3, 3).fit(near)
+        make_pipeline(StandardScaler(), SOM(3, 3)).fit(far).predict(far[:1])
 
 
 @pytest.mark.parametrize("form", [

@@ -26,7 +26,7 @@ bool is_npy(std::string_view bytes) {
 
 Result<Matrix<float>> decode_npy(std::string_view bytes, std::string_view where) {
   SOMATO_TRY(const NpyLayout layout, npy_layout(bytes, bytes.size(), where));
-  return npy_reading(layout, {}, std::string(where)).and_then([&](const NpyReading& all) {
+  return npy_reading(layout, {}, std::string(where)).and_then([&](NpyReading&& all) {
     return npy_matrix(bytes, layout, all, where);
   });
 }

@@ -245,12 +245,13 @@ Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout,
 }
 
 Result<Matrix<float>> npy_matrix(std::string_view bytes, const NpyLayout& layout,
-                                 const NpyReading& reading, std::string_view where) {
+                                 NpyReading& reading, std::string_view where) {
   Matrix<float> matrix(layout.rows, reading.columns.features.size());
   ColumnPrecision precision(reading.columns.scales);
-  return read_npy_rows(bytes.substr(layout.start), layout, reading, 0, matrix.values(), where,
-                       &precision)
-      .map([&] { return std::move(matrix); });
+  SOMATO_TRY_VOID(read_npy_rows(bytes.substr(layout.start), layout, reading, 0, matrix.values(),
+                                where, &precision));
+  reading.columns.rounded = precision.notes({});
+  return matrix;
 }
 
 }  // namespace somato

@@ -64,8 +64,8 @@ Result<void> read_npy_rows(std::string_view bytes, const NpyLayout& layout,
                            const NpyReading& reading, std::size_t first, std::span<float> out,
                            std::string_view where, ColumnPrecision* precision);
 
-/// All rows of a whole file; see read_npy_rows().
+/// All rows of a whole file; see read_npy_rows(). Sets reading.columns.rounded.
 Result<Matrix<float>> npy_matrix(std::string_view bytes, const NpyLayout& layout,
-                                 const NpyReading& reading, std::string_view where);
+                                 NpyReading& reading, std::string_view where);
 
 }  // namespace somato

@@ -28,6 +28,15 @@ void JoinedNumbers::take_places(std::size_t begin, std::size_t end) {
   }
 }
 
+std::vector<std::string> JoinedNumbers::rounded() const {
+  std::vector<std::string> all;
+  for (const auto& file : files_) {
+    const std::vector<std::string> of_file = file->rounded();
+    all.insert(all.end(), of_file.begin(), of_file.end());
+  }
+  return all;
+}
+
 double JoinedNumbers::memory_of_all() const {
   double memory = 0.0;
   for (const auto& file : files_) memory += file->memory_of_all();

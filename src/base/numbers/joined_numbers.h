@@ -17,6 +17,7 @@ class JoinedNumbers final : public NumberSource {
   const TableColumns& columns() const override { return files_.front()->columns(); }
   std::size_t extent() const override;
   void take_places(std::size_t begin, std::size_t end) override;
+  std::vector<std::string> rounded() const override;
   double memory_of_all() const override;
   double share_read() const override;
   Result<void> rewind() override;

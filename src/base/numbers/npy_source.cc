@@ -86,6 +86,7 @@ Result<std::shared_ptr<const NumberPart>> NpySource::next_part() {
     return fail(std::move(values.error()));
   }
   row_ += count;
+  if (row_ == end_ && !is_known_) reading_.columns.rounded = precision_.notes({});
   return std::make_shared<const NumberPart>(NumberPart{Samples(std::move(*values)), {}});
 }
 

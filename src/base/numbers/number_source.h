@@ -32,6 +32,9 @@ class NumberSource : public SampleSource {
 
   std::size_t size() const final { return columns().features.size(); }
 
+  /// After the last row of a pass: TableColumns::rounded of all files.
+  virtual std::vector<std::string> rounded() const { return columns().rounded; }
+
   /// Every row begins at a place below this, in the order of the rows: a byte of the text, or of
   /// the array.
   virtual std::size_t extent() const = 0;

@@ -9,6 +9,22 @@
 #include "somato/core/check.h"
 
 namespace somato {
+namespace {
+
+// Shares of the deviation that rounding may change. Above the second, a map whose neurons are a few
+// hundredths of the deviation apart moves them by visible steps.
+constexpr double kTolerated = 1.0 / 20;
+constexpr double kNoted = 1.0 / 1000;
+
+ColumnPrecision::ColumnText text_of_columns(const std::vector<std::string>& names) {
+  return [&names](std::size_t column) {
+    const std::string name =
+        column < names.size() ? fmt::format(" ({})", shown(names[column])) : std::string();
+    return fmt::format("column {}{}", column + 1, name);
+  };
+}
+
+}  // namespace
 
 ColumnPrecision::Column& ColumnPrecision::at(std::size_t column) {
   if (column >= columns_.size()) columns_.resize(column + 1);
@@ -46,36 +62,45 @@ double ColumnPrecision::deviation(std::size_t column) const {
   return of.count > 0.0 ? std::max(std::sqrt(of.squares / of.count), known) : known;
 }
 
-bool ColumnPrecision::loses(std::size_t column) const {
-  constexpr double kTolerated = 1.0 / 20;
+bool ColumnPrecision::loses(std::size_t column, double tolerated) const {
   const Column& of = columns_[column];
-  const double most = kTolerated * deviation(column);
+  const double most = tolerated * deviation(column);
   return most > 0.0 && of.lost > most * most * of.count;
+}
+
+std::string ColumnPrecision::distance_of_floats(std::size_t column) const {
+  const double example = columns_[column].example;
+  const float near = std::fabs(static_cast<float>(example));
+  return fmt::format("32-bit numbers near {} are {:g} apart, and its standard deviation is {:g}",
+                     example, std::nextafter(near, INFINITY) - near, deviation(column));
 }
 
 Result<void> ColumnPrecision::check_as(const ColumnText& text, std::string_view where) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (!loses(i)) continue;
-    const Column& column = columns_[i];
-    const float near = std::fabs(static_cast<float>(column.example));
-    return fail(
-        ErrorKind::kData,
-        fmt::format("{} loses precision: 32-bit numbers near {} are {:g} apart, "
-                    "and its standard deviation is {:g}",
-                    text(i), column.example, std::nextafter(near, INFINITY) - near, deviation(i)),
-        std::string(where), "subtract an offset from it, or leave it out");
+    if (!loses(i, kTolerated)) continue;
+    return fail(ErrorKind::kData,
+                fmt::format("{} loses precision: {}", text(i), distance_of_floats(i)),
+                std::string(where), "subtract an offset from it, or leave it out");
   }
   return {};
 }
 
 Result<void> ColumnPrecision::check(const std::vector<std::string>& names,
                                     std::string_view where) const {
-  const auto text = [&](std::size_t column) {
-    const std::string name =
-        column < names.size() ? fmt::format(" ({})", shown(names[column])) : std::string();
-    return fmt::format("column {}{}", column + 1, name);
-  };
-  return check_as(text, where);
+  return check_as(text_of_columns(names), where);
+}
+
+std::vector<std::string> ColumnPrecision::notes_as(const ColumnText& text) const {
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (!loses(i, kNoted)) continue;
+    notes.push_back(fmt::format("{} is rounded: {}", text(i), distance_of_floats(i)));
+  }
+  return notes;
+}
+
+std::vector<std::string> ColumnPrecision::notes(const std::vector<std::string>& names) const {
+  return notes_as(text_of_columns(names));
 }
 
 std::vector<double> ColumnPrecision::statistics() const {

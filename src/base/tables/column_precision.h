@@ -36,6 +36,11 @@ class ColumnPrecision {
   Result<void> check(const std::vector<std::string>& names, std::string_view where) const;
   Result<void> check_as(const ColumnText& text, std::string_view where) const;
 
+  /// A sentence for each column that passes check() and nevertheless loses more than a thousandth
+  /// of that deviation: small differences of a map's weights in it are lost as well.
+  std::vector<std::string> notes(const std::vector<std::string>& names) const;
+  std::vector<std::string> notes_as(const ColumnText& text) const;
+
   /// The standard deviation of each column, of the exact numbers.
   std::vector<double> deviations() const;
 
@@ -57,7 +62,8 @@ class ColumnPrecision {
 
   Column& at(std::size_t column);
   double deviation(std::size_t column) const;
-  bool loses(std::size_t column) const;
+  bool loses(std::size_t column, double tolerated) const;
+  std::string distance_of_floats(std::size_t column) const;
 
   std::vector<ColumnScale> scales_;
   std::vector<Column> columns_;

@@ -75,6 +75,7 @@ Result<NumberTable> CsvTableReader::rows(std::size_t most) {
   }
   table.values = Matrix<float>(count, columns_.features.size(), std::move(values));
   if (has_row()) return table;
+  if (!trusts_precision_) columns_.rounded = precision_.notes(columns_.names);
   return precision_.check(columns_.names, where_).map([&] { return std::move(table); });
 }
 

@@ -13,11 +13,15 @@ namespace somato {
 
 /// The roles of the columns of a table. Columns are counted from 0.
 struct TableColumns {
-  std::size_t width = 0;              ///< Number of columns of the file.
-  std::vector<std::string> names;     ///< Names of all columns; empty if they have none.
-  std::optional<std::size_t> label;   ///< The column with labels.
-  std::vector<std::size_t> features;  ///< The columns of the features, in order.
-  std::vector<ColumnScale> scales;    ///< By column; columns without one are read as they are.
+  std::size_t width = 0;                 ///< Number of columns of the file.
+  std::vector<std::string> names;        ///< Names of all columns; empty if they have none.
+  std::optional<std::size_t> label;      ///< The column with labels.
+  std::vector<std::size_t> features;     ///< The columns of the features, in order.
+  std::vector<ColumnScale> scales = {};  ///< By column; columns without one are read as they are.
+
+  /// After the last row: a sentence for each column of which rounding to single precision loses
+  /// something; see ColumnPrecision::notes().
+  std::vector<std::string> rounded = {};
 
   /// Names of the features; empty if columns have no names.
   std::vector<std::string> feature_names() const;

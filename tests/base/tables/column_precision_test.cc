@@ -46,6 +46,27 @@ TEST(ColumnPrecision, IsLostBelowTwentyTimesWhatRoundingChanges) {
   EXPECT_EQ(precision_error(1700000000, 1, 2800), "");
 }
 
+// With steps s apart near a number whose floats are g apart, rounding changes g / sqrt(12) in the
+// mean: columns of n numbers 1 apart have the deviation n / sqrt(12), so that g / n is the share.
+TEST(ColumnPrecision, NotesColumnsBetweenATwentiethAndAThousandth) {
+  const auto notes = [](double first, double step, int count) {
+    ColumnPrecision precision;
+    for (int i = 0; i < count; ++i) {
+      const double number = first + step * i;
+      precision.take(0, number, static_cast<float>(number));
+    }
+    EXPECT_TRUE(precision.check({"a"}, ""));
+    return precision.notes({"a"});
+  };
+  EXPECT_EQ(notes(1e6, 0.01, 200).size(), 1U);   // 0.0625 of 2
+  EXPECT_EQ(notes(1e6, 0.01, 3000).size(), 1U);  // 0.0625 of 30
+  EXPECT_TRUE(notes(1e6, 0.01, 12000).empty());  // 0.0625 of 120
+  EXPECT_TRUE(notes(1e6, 0.0625, 50).empty());   // numbers that all have a float
+  EXPECT_TRUE(notes(0.0, 0.01, 200).empty());
+  EXPECT_NE(notes(1e6, 0.01, 200).front().find("column 1 ('a') is rounded"), std::string::npos);
+  EXPECT_NE(notes(1e6, 0.01, 200).front().find("0.0625 apart"), std::string::npos);
+}
+
 // A hand at rest: 32-bit numbers near 90 are 7.6e-6 apart.
 TEST(ColumnPrecision, MattersOnlyBesideADeviationThatIsKnown) {
   for (const double known : {0.0, 10.0}) {

@@ -54,6 +54,28 @@ TEST_F(Offsets, OfStandardizedColumnsAreSubtractedBeforeNumbersAreRounded) {
   }
 }
 
+// Numbers near a million are 1/16 apart in single precision.
+TEST_F(Offsets, WithoutStandardizationAreReportedIfRoundingLosesSomething) {
+  write_tables(0.0);
+  std::string third = "a,b\n";
+  for (int row = 0; row < 40; ++row) {
+    third += fmt::format("{:.4f},{:.4f}\n", 1e6 + value(row, 0) * 4 / 3, value(row, 1));
+  }
+  write("third.csv", third);
+  const std::string warning = "third.csv: column 1 ('a') is rounded";
+  const Words sizes{"--rows", "3", "--columns", "3", "-o", "plain.map"};
+  const auto trained = [&](Words words) {
+    words.insert(words.end(), sizes.begin(), sizes.end());
+    return run(words).err;
+  };
+  EXPECT_NE(trained({"som", "train", "third.csv"}).find(warning), std::string::npos);
+  EXPECT_NE(trained({"som", "train", "near.csv", "third.csv"}).find("column 1 ('a') is rounded"),
+            std::string::npos);
+  EXPECT_EQ(trained({"som", "train", "near.csv"}), "");
+  EXPECT_EQ(trained({"som", "train", "third.csv", "--quiet"}), "");
+  EXPECT_EQ(trained({"som", "train", "third.csv", "--standardize"}), "");
+}
+
 TEST_F(Offsets, OfDataOnStandardInputAreSubtracted) {
   write_tables(1.7e9);
   output_of(training("far.csv", "far.map"));
