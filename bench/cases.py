@@ -38,10 +38,16 @@ class Command:
     words: list
     bytes: int = 0  # limit of memory; 0: none
     study: str = ""  # the system that it runs, with only the papers' protocol
+    python: bool = False  # a task of peers/whole.py, by the Python package, instead of the program
+    peers: dict = field(default_factory=dict)  # whole processes of others, and what they do instead
     repeats: int = 0  # if different from the default
     only_long: bool = False
     minutes: float = 0.5
 
+
+# What the programs of others write in the place of text or Python's array.
+WINNERS_ONLY = {"faiss": "writes winners only, in binary", "xpysom": "writes winners only, in binary",
+                "minisom": "writes winners only, in binary"}
 
 ONE_THREAD = Variant("1 thread", threads=1)
 
@@ -83,7 +89,20 @@ def commands(data, out, quick):
         return ["run", str(data / f"{name}.toml"), "--data", recording, "--out", str(out / name),
                 "--seeds", seeds]
 
+    def task(name):
+        return [name, str(data / "searches"), str(THREADS)]
+
     return [
+        Command("som_map", "som map of 100000 x 64 on 50 x 50 with labels",
+                ["som", "map", str(data / "searches/map.som"), str(data / "searches/samples.npy"),
+                 "--output", str(out / "winners.csv"), "--threads", str(THREADS)], peers=WINNERS_ONLY),
+        Command("predict", "predict of the same in Python", task("predict"), python=True,
+                peers=WINNERS_ONLY),
+        Command("classify", "classify of the same in Python", task("classify"), python=True),
+        Command("transform", "transform of the same in Python, 1 GB", task("transform"), python=True),
+        Command("apply", "a trained tensor chain applied to 30 explorations",
+                ["apply", str(data / "chain/system.somato"), recording, "--threads", str(THREADS),
+                 "--output", str(out / "answers.csv")], study="tensor_chain"),
         Command("tensor_chain", f"tensor chain, 30 explorations, {seeds} seeds",
                 chain("tensor_chain", seeds), study="tensor_chain", minutes=0.5),
         Command("t_mpsom_chain", "T-MPSOM chain, 30 explorations, 1 seed",

@@ -13,10 +13,13 @@ from limits import limit
 TREE = Path(__file__).resolve().parent.parent
 PROGRAMS = TREE / "build/bench/bench"
 SOMATO = TREE / "build/bench/somato"
+PYTHON = TREE / "build/bench/python/environment/bin/python"
+PACKAGE = TREE / "build/bench/python"
 PATIENCE = 900  # seconds for an answer
 SLOW = 20.0  # seconds above which there are three repetitions
 VERY_SLOW = 60.0  # seconds above which a whole run of the program is done once
 WARM_UP = 3.0  # seconds below which the first run is discarded
+WHOLE = peer_environments.PEERS / "whole.py"
 REST = 0.3  # seconds after which waiting threads of other programs are asleep
 
 
@@ -185,19 +188,50 @@ def measure_command(bench, command):
     repeats = 1
     while len(result["times"]) < repeats:
         bench.say(f"{command.name}: run {len(result['times']) + 1}")
-        done, errors = run_timed([PROGRAMS / "time_program", command.bytes, SOMATO, *command.words])
+        done, errors = run_timed([PROGRAMS / "time_program", command.bytes, *words_of(command)])
         if done["status"] != 0:
             return result | {"left_out": last_line(errors)}
         result["times"].append(done["seconds"])
         result["peak_kib"] = max(result["peak_kib"], done["peak_kib"])
         if done["seconds"] < VERY_SLOW:
             repeats = command.repeats or bench.repeats(done["seconds"])
+    chosen = [peer for peer in command.peers if peer in bench.peers
+              and (not bench.options.peers or peer in bench.options.peers)]
+    result["others"] = [beside_whole(bench, command, peer) for peer in chosen]
     return result | {"seconds": median(result["times"])}
+
+
+def words_of(command):
+    if command.python:
+        return [PYTHON, WHOLE, "pysomato", *command.words]
+    return [SOMATO, *command.words]
+
+
+def beside_whole(bench, command, peer):
+    """Whole runs of another program, alternately with those of the command."""
+    result = {"name": bench.peers[peer].get("name", peer), "threads": THREADS, "instead": command.peers[peer],
+              "own": [], "times": [], "peak_kib": 0}
+    try:
+        python = peer_environments.python_of(peer, bench.peers[peer], bench.say)
+    except Failure as failure:
+        return result | {"left_out": str(failure)}
+    other = [python, WHOLE, peer, "search", bench.data / "searches", THREADS]
+    for number in range(1 + bench.repeats(0.0)):
+        bench.say(f"{command.name}: {result['name']}, run {number + 1}")
+        for words, times in ((words_of(command), result["own"]), (other, result["times"])):
+            done, errors = run_timed([PROGRAMS / "time_program", 0, *words])
+            if done["status"] != 0:
+                return result | {"left_out": last_line(errors)}
+            if number > 0:  # the first run compiles and reads files
+                times.append(done["seconds"])
+        result["peak_kib"] = max(result["peak_kib"], done["peak_kib"])
+    return result | {"seconds": median(result["times"]),
+                     "ratio": median(result["times"]) / median(result["own"])}
 
 
 def run_timed(command):
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, cwd=TREE,
-                          env=environment(THREADS), check=True)
+                          env=environment(THREADS) | {"PYTHONPATH": str(PACKAGE)}, check=True)
     return json.loads(done.stdout), done.stderr
 
 

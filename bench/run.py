@@ -17,7 +17,7 @@ import cases
 import report
 from driven import Failure
 from live import measure_live
-from measuring import PROGRAMS, SOMATO, TREE, Bench, measure_command, measure_row, run
+from measuring import PROGRAMS, PYTHON, SOMATO, TREE, WHOLE, Bench, measure_command, measure_row, run, run_timed
 
 OUT = TREE / "out/bench"
 BUSY = 0.3  # load average above which other programs are running
@@ -98,10 +98,26 @@ def prepare_files(bench, chosen):
         # Otherwise, an interrupted run would be resumed.
         (OUT / name / "unfinished.journal").unlink(missing_ok=True)
         write_study(TREE / "systems" / f"{name}.toml", bench.data / f"{name}.toml")
+    if any(command.name == "apply" for command in chosen):
+        run([SOMATO, "run", bench.data / "tensor_chain.toml", "--data", recording, "--out", bench.data / "chain",
+             "--seeds", 1])
+    if any("searches" in word for command in chosen for word in command.words):
+        prepare_searches(bench)
     if any(command.name == "large_file" for command in chosen) and not large.exists():
         bench.say("writing a large file")
         run([PROGRAMS / "workloads", "write-large", large, cases.LARGE_ROWS // bench.scale,
              cases.LARGE_COLUMNS])
+
+
+def prepare_searches(bench):
+    """Samples, and a map with labels."""
+    folder = bench.data / "searches"
+    if (folder / "weights.npy").exists():
+        return
+    bench.say("training a map for searches")
+    folder.mkdir(parents=True, exist_ok=True)
+    run([PROGRAMS / "workloads", "write", "winners", folder, "--scale", bench.scale])
+    run_timed([PROGRAMS / "time_program", 0, PYTHON, WHOLE, "pysomato", "prepare", folder, cases.THREADS])
 
 
 def refuse_unknown(what, names, known):

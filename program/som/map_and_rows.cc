@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,11 @@ namespace {
 
 Samples as_the_map_takes(const SomModel& model, const RowData& rows, const Samples& part) {
   return complete_inputs(model, rows.holds_missing ? rows.missing : MissingFill::kRefuse, part);
+}
+
+// Samples are dense, one row after the other.
+Samples samples_in(const Samples& part, std::size_t first, std::size_t count) {
+  return Samples::view_of({part[first].values.data(), count * part.size()}, part.size());
 }
 
 Result<SomModel> read_map(const Arguments& arguments) {
@@ -74,6 +80,18 @@ PreparedRows::PreparedRows(const SomModel& model, const RowData& rows)
                                                             : rows.samples(),
                 rows.path, rows.first),
       ahead_(in_range_) {}
+
+Result<void> for_each_block(SampleSource& source, std::size_t most,
+                            const std::function<Result<void>(const Samples&)>& visit) {
+  return for_each_part(source, [&](const Samples& part) -> Result<void> {
+    for (std::size_t first = 0; first < part.count(); first += most) {
+      if (stop_requested()) return reading_stopped();
+      const std::size_t count = std::min(most, part.count() - first);
+      SOMATO_TRY_VOID(visit(count < part.count() ? samples_in(part, first, count) : part));
+    }
+    return {};
+  });
+}
 
 Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std::size_t threads,
                                 JoinedProcesses* processes) {

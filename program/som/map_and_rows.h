@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -60,6 +61,11 @@ class PreparedRows {
   SamplesInRange in_range_;
   ReadAhead ahead_;
 };
+
+/// Calls `visit` with all samples of the source in blocks of at most `most`, which are not copied.
+/// Errors: those of the source and of `visit`; kInterrupted.
+Result<void> for_each_block(SampleSource& source, std::size_t most,
+                            const std::function<Result<void>(const Samples&)>& visit);
 
 /// Measures the model's map on the rows; winners are listed only for rows with labels. Shows
 /// progress on a terminal. Processes that share the rows get the same measures, or the same error.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/core/threads.h"
 #include "base/files/whole_file.h"
 #include "base/text/text.h"
 #include "flags/commands.h"
@@ -76,7 +77,7 @@ Result<void> check_panels(const Arguments& arguments, const std::vector<std::str
 Result<void> add_data_panels(const MapAndRows& both, const std::vector<std::string>& chosen,
                              std::vector<Panel>& panels) {
   const Som& som = both.model.som;
-  SOMATO_TRY(auto quality, measure_rows(both.model, both.rows, 1));
+  SOMATO_TRY(auto quality, measure_rows(both.model, both.rows, available_threads()));
   if (wants(chosen, "hits")) panels.emplace_back(hits_panel(som.grid(), quality.hits));
   if (!wants(chosen, "labels") || !both.rows.labelled()) return {};
   LabelPanel panel;

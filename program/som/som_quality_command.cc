@@ -15,18 +15,16 @@
 namespace somato::program {
 namespace {
 
-Result<double> accuracy(const MapAndRows& both) {
+Result<double> accuracy(const MapAndRows& both, std::size_t threads) {
   const SomModel& model = both.model;
   const Classes& classes = both.rows.classes;
   PreparedRows prepared(model, both.rows);
-  SomWorkspace workspace;
   std::size_t row = 0;
   double right = 0.0;
   return for_each_part(prepared.samples(),
                        [&](const Samples& part) -> Result<void> {
-                         for (std::size_t i = 0; i < part.count(); ++i) {
-                           const auto predicted =
-                               model.labels.classify(model.som, part[i], workspace);
+                         for (const std::size_t predicted :
+                              model.labels.classify(model.som, part, threads)) {
                            const std::string& name = classes.names[classes.of_sample[row++]];
                            right += model.classes[predicted] == name ? 1.0 : 0.0;
                          }
@@ -35,14 +33,15 @@ Result<double> accuracy(const MapAndRows& both) {
       .map([&] { return right / static_cast<double>(row); });
 }
 
-Result<void> add_label_measures(const MapAndRows& both, const SomQuality& quality, Table& table) {
+Result<void> add_label_measures(const MapAndRows& both, const SomQuality& quality,
+                                std::size_t threads, Table& table) {
   if (!both.rows.labelled()) return {};
   const std::vector<std::size_t>& classes = both.rows.classes.of_sample;
   const WinnerAreas areas(both.model.som.grid(), quality.winners);
   table.entries.push_back(entry("individuals_apart", individuals_apart(quality.winners, classes)));
   table.entries.push_back(entry("areas_connected", areas.connected(classes)));
   if (both.model.classes.empty()) return {};
-  return accuracy(both).map(
+  return accuracy(both, threads).map(
       [&](double share) { table.entries.push_back(entry("accuracy", share)); });
 }
 
@@ -58,7 +57,7 @@ Result<void> measure(const Arguments& arguments, JoinedProcesses* processes) {
                entry("neurons_hit", static_cast<std::uint64_t>(hit)),
                entry("quantization_error", quality.quantization_error),
                entry("topographic_error", quality.topographic_error)}};
-  SOMATO_TRY_VOID(add_label_measures(both, quality, table));
+  SOMATO_TRY_VOID(add_label_measures(both, quality, threads, table));
   print_result(arguments, lines_of(table), table);
   note_columns_and_filled(both.rows);
   return {};

@@ -44,6 +44,21 @@ nanobind::object array_of(std::vector<T> values, std::span<const std::size_t> sh
       nanobind::ndarray<nanobind::numpy, T>(data, shape.size(), shape.data(), owner));
 }
 
+/// A new array of numpy, whose values are not set, and these values.
+template <typename T>
+std::pair<nanobind::object, std::span<T>> new_array(std::span<const std::size_t> shape) {
+  std::size_t count = 1;
+  for (const std::size_t size : shape) count *= size;
+  std::unique_ptr<T[]> values(new T[count]);
+  const nanobind::capsule owner(values.get(), [](void* memory) noexcept {
+    delete[] static_cast<T*>(memory);  // NOLINT(cppcoreguidelines-owning-memory)
+  });
+  T* data = values.release();
+  return {nanobind::cast(
+              nanobind::ndarray<nanobind::numpy, T>(data, shape.size(), shape.data(), owner)),
+          {data, count}};
+}
+
 template <typename T>
 nanobind::object array_of(std::vector<T> values) {
   const std::size_t shape[] = {values.size()};

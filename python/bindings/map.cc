@@ -12,8 +12,8 @@
 #include "errors.h"
 #include "interrupts.h"
 #include "maps/pictures/cells.h"
+#include "maps/reading/sample_reader.h"
 #include "maps/som/sample_range.h"
-#include "maps/training/batch_training.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
@@ -29,8 +29,16 @@ namespace nb = nanobind;
 
 const std::string kPlace = "SOM";
 
-// Rows between two looks at signals.
-constexpr std::size_t kRowsAtOnce = 4096;
+// Rows between two looks at signals: so many that the preparation of a search is worth it, and that
+// they take less than a second.
+constexpr std::size_t kLeastRowsAtOnce = 4096;
+constexpr std::size_t kMostRowsAtOnce = 65536;
+constexpr std::size_t kProductsAtOnce = std::size_t{1} << 34;
+
+std::size_t rows_at_once(const Som& som) {
+  const std::size_t products_of_row = std::max<std::size_t>(1, som.neurons() * som.input_size());
+  return std::clamp(kProductsAtOnce / products_of_row, kLeastRowsAtOnce, kMostRowsAtOnce);
+}
 
 SomParameters checked_parameters(const nb::dict& values) {
   const auto parameters = parameters_of<SomParameters>(values, kPlace);
@@ -61,8 +69,9 @@ Result<void> check_row(const SignalView& prepared, std::size_t row) {
 // Calls `work` with parts of the rows as inputs of the map, and the number of the part's first row.
 void for_each_part(const SomModel& model, const SampleRows& rows, Interrupts& interrupts,
                    const std::function<void(const Samples&, std::size_t first)>& work) {
-  for (std::size_t first = 0; first < rows.count() && interrupts.proceed(); first += kRowsAtOnce) {
-    const std::size_t count = std::min(kRowsAtOnce, rows.count() - first);
+  const std::size_t at_once = rows_at_once(model.som);
+  for (std::size_t first = 0; first < rows.count() && interrupts.proceed(); first += at_once) {
+    const std::size_t count = std::min(at_once, rows.count() - first);
     const Samples part = complete_inputs(model, rows.missing(), rows.part(first, count));
     for (std::size_t i = 0; i < count; ++i) value_or_throw(check_row(part[i], first + i));
     work(part, first);
@@ -164,64 +173,50 @@ void Map::check_rows(const SampleRows& rows) const {
                       "X", "use the columns that the map was trained on"}};
 }
 
-nb::object Map::winners(const SampleRows& rows, std::size_t threads) const {
-  check_rows(rows);
-  std::vector<std::int64_t> winners(rows.count());
-  unlocked([&](Interrupts& interrupts) {
-    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
-      const auto found = winners_of(model_.som, part, threads);
-      std::copy(found.begin(), found.end(), winners.begin() + static_cast<std::ptrdiff_t>(first));
-    });
-  });
-  return array_of(std::move(winners));
-}
-
 nb::object Map::activity(const SampleRows& rows, std::size_t threads) const {
   check_rows(rows);
   const std::size_t neurons = model_.som.neurons();
-  std::vector<float> activity(rows.count() * neurons);
+  const std::size_t shape[] = {rows.count(), neurons};
+  auto [array, activity] = new_array<float>(shape);
   unlocked([&](Interrupts& interrupts) {
     for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
-      for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
-        SomWorkspace workspace;
-        for (std::size_t i = begin; i < end; ++i) {
-          model_.som.activity(part[i], workspace,
-                              {activity.data() + (first + i) * neurons, neurons});
-        }
-      });
+      read_activity(model_.som, part, threads,
+                    activity.subspan(first * neurons, part.count() * neurons));
     });
   });
-  const std::size_t shape[] = {rows.count(), neurons};
-  return array_of(std::move(activity), shape);
+  return array;
 }
 
-template <typename NumberOf>
-nb::object Map::numbers_of(const SampleRows& rows, std::size_t threads, NumberOf number_of) const {
+template <typename NumbersOf>
+nb::object Map::numbers_of(const SampleRows& rows, NumbersOf numbers_of_part) const {
   check_rows(rows);
   std::vector<std::int64_t> numbers(rows.count());
   unlocked([&](Interrupts& interrupts) {
     for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
-      for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
-        SomWorkspace workspace;
-        for (std::size_t i = begin; i < end; ++i) {
-          numbers[first + i] = static_cast<std::int64_t>(number_of(part[i], workspace));
-        }
-      });
+      const std::vector<std::size_t> of_part = numbers_of_part(part);
+      std::copy(of_part.begin(), of_part.end(),
+                numbers.begin() + static_cast<std::ptrdiff_t>(first));
     });
   });
   return array_of(std::move(numbers));
 }
 
+nb::object Map::winners(const SampleRows& rows, std::size_t threads) const {
+  SampleReader reader(model_.som, threads);
+  return numbers_of(rows, [&](const Samples& part) {
+    return first_winners(reader.read(part));
+  });
+}
+
 nb::object Map::classes(const SampleRows& rows, std::size_t threads) const {
-  return numbers_of(rows, threads, [&](const SignalView& row, SomWorkspace& workspace) {
-    return model_.labels.classify(model_.som, row, workspace);
+  return numbers_of(rows, [&](const Samples& part) {
+    return model_.labels.classify(model_.som, part, threads);
   });
 }
 
 nb::object Map::labelled_winners(const SampleRows& rows, std::size_t threads) const {
-  return numbers_of(rows, threads, [&](const SignalView& row, SomWorkspace& workspace) {
-    return model_.som.winner_among(model_.labels.labelled(), row, workspace);
-  });
+  SampleReader reader(model_.som, threads, model_.labels.labelled());
+  return numbers_of(rows, [&](const Samples& part) { return reader.read(part).nearest; });
 }
 
 nb::tuple Map::quality(const SampleRows& rows, std::size_t threads) const {

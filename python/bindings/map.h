@@ -68,10 +68,9 @@ class Map {
  private:
   void check_rows(const SampleRows& rows) const;
 
-  // number_of(row, workspace) for each row.
-  template <typename NumberOf>
-  nanobind::object numbers_of(const SampleRows& rows, std::size_t threads,
-                              NumberOf number_of) const;
+  // numbers_of_part(samples) for parts of the rows as inputs of the map.
+  template <typename NumbersOf>
+  nanobind::object numbers_of(const SampleRows& rows, NumbersOf numbers_of_part) const;
 
   // That which takes the rows.
   const SomModel& taking(const SampleRows& rows) const;

@@ -204,3 +204,31 @@ def test_a_notebook_draws_the_map(X):
     assert "U-matrix" in picture
     assert not hasattr(som, "_repr_html_")  # which a notebook would show instead
     assert ("Hits" in picture) != ("Hits" in som.partial_fit(X)._repr_svg_())
+
+
+@pytest.mark.parametrize("similarity", ["euclidean", "dot_product"])
+def test_many_rows_are_read_as_one_by_one(similarity):
+    rng = np.random.default_rng(3)
+    X = rng.normal(size=(300, 5)).astype(np.float32)
+    names = np.array(["a", "b", None, None, None], dtype=object)[np.arange(300) % 5]
+    som = SOM(12, 15, iterations=400, similarity=similarity, threads=3).fit(X, names)
+    new = rng.normal(size=(200, 5)).astype(np.float32)
+    alone = som.set_params(threads=1)
+    np.testing.assert_array_equal(som.classify(new), np.concatenate([alone.classify(row[None]) for row in new]))
+    np.testing.assert_array_equal(som.predict(new), np.concatenate([alone.predict(row[None]) for row in new]))
+    np.testing.assert_array_equal(som.transform(new), np.concatenate([alone.transform(row[None]) for row in new]))
+
+
+def test_the_label_is_that_of_the_nearest_neuron_with_one():
+    rng = np.random.default_rng(4)
+    X = rng.normal(size=(20, 4)).astype(np.float32)
+    names = np.array([f"class {number % 4}" for number in range(20)])
+    som = SOM(10, 12, iterations=300).fit(X, names)
+    new = rng.normal(size=(150, 4)).astype(np.float32)
+    votes = np.zeros((120, 4))
+    np.add.at(votes, (som.winners_, np.arange(20) % 4), 1)
+    named = np.flatnonzero(votes.any(axis=1))
+    nearest = named[distances_to(som.weights_[named], new).argmin(axis=1)]
+    expected = [f"class {votes[neuron].argmax()}" for neuron in nearest]
+    assert (som.predict(new) != nearest).any()
+    assert som.classify(new).tolist() == expected

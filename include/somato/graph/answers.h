@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "somato/core/result.h"
+#include "somato/core/samples.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
 
@@ -29,6 +30,10 @@ struct InputAnswer {
 /// The answer of a model to an input of its output map. Throws InvalidArgument if the model has no
 /// answer, or if none of its neurons has a name.
 InputAnswer answer_to(const SystemModel& model, const SignalView& input);
+
+/// The answers to many inputs, on `threads` threads, in their order.
+std::vector<InputAnswer> answers_to(const SystemModel& model, const Samples& inputs,
+                                    std::size_t threads = 1);
 
 /// The module whose map answers. Errors (kData): the model has no answer, or its map has an input
 /// for each frame.

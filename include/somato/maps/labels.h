@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "somato/core/samples.h"
 #include "somato/core/signal.h"
 #include "somato/maps/som.h"
 
@@ -35,9 +36,16 @@ class NeuronLabels {
   /// has a label.
   std::size_t classify(const Som& som, const SignalView& input, SomWorkspace& workspace) const;
 
+  /// The same for each sample, on `threads` threads, in much less time than one by one.
+  std::vector<std::size_t> classify(const Som& som, const Samples& samples,
+                                    std::size_t threads = 1) const;
+
   bool operator==(const NeuronLabels&) const = default;
 
  private:
+  std::vector<std::size_t> classes_of(const std::vector<std::size_t>& labelled) const;
+  void require_labels() const;
+
   std::vector<std::optional<std::size_t>> class_of_neuron_;
   std::vector<std::size_t> labelled_;
 };

@@ -200,6 +200,7 @@ class Som {
   std::span<const float> prepare(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores(const SignalView& input, SomWorkspace& workspace) const;
   std::span<const float> scores_of(std::span<const float> prepared, SomWorkspace& workspace) const;
+  void find_similarities(const SignalView& input, SomWorkspace& workspace) const;
   std::size_t winner_of(std::span<const float> prepared, SomWorkspace& workspace) const;
   Winners best_of(std::span<const float> prepared, bool two, SomWorkspace& workspace) const;
   double exact_score(std::span<const float> prepared, std::size_t neuron,

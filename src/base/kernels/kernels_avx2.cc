@@ -5,6 +5,7 @@
 
 #include "base/kernels/batch_kernels_body.h"
 #include "base/kernels/kernels_body.h"
+#include "base/kernels/neuron_activity_kernels_body.h"
 #include "base/kernels/online_kernels_body.h"
 #include "base/kernels/product_kernels_body.h"
 #include "base/kernels/t_mpsom_kernels_body.h"

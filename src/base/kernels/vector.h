@@ -54,6 +54,10 @@ inline Vector<float> zero_below(Vector<float> a, Vector<float> limit) {
 inline Vector<float> greatest(Vector<float> a, Vector<float> b) {
   return {_mm512_maskz_max_ps(0xFFFF, a.lanes, _mm512_abs_ps(b.lanes))};
 }
+// Zero below zero; zeros keep their sign.
+inline Vector<float> rectified(Vector<float> a) {
+  return {_mm512_maskz_max_ps(0xFFFF, _mm512_setzero_ps(), a.lanes)};
+}
 
 template <>
 struct Vector<double> {
@@ -160,6 +164,10 @@ inline __m256 greatest(__m256 a, __m256 b) {
 }
 inline Vector<float> greatest(Vector<float> a, Vector<float> b) {
   return {greatest(a.low, b.low), greatest(a.high, b.high)};
+}
+inline Vector<float> rectified(Vector<float> a) {
+  const __m256 zero = _mm256_setzero_ps();
+  return {_mm256_max_ps(zero, a.low), _mm256_max_ps(zero, a.high)};
 }
 
 template <>
@@ -313,6 +321,10 @@ inline Vector<float> greatest(Vector<float> a, const Vector<float>& b) {
     const float magnitude = b.lanes[i] < 0 ? -b.lanes[i] : b.lanes[i];
     if (magnitude > a.lanes[i]) a.lanes[i] = magnitude;
   }
+  return a;
+}
+inline Vector<float> rectified(Vector<float> a) {
+  for (float& lane : a.lanes) lane = lane < 0 ? 0 : lane;
   return a;
 }
 inline Vector<double> widened(const float* from) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "maps/reading/sample_reader.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -25,8 +26,25 @@ NeuronLabels NeuronLabels::by_majority(const std::vector<std::size_t>& winners,
 
 std::size_t NeuronLabels::classify(const Som& som, const SignalView& input,
                                    SomWorkspace& workspace) const {
-  require(!labelled_.empty(), "classification requires at least one neuron with a label");
+  require_labels();
   return *class_of_neuron_[som.winner_among(labelled_, input, workspace)];
+}
+
+std::vector<std::size_t> NeuronLabels::classify(const Som& som, const Samples& samples,
+                                                std::size_t threads) const {
+  require_labels();
+  return classes_of(SampleReader(som, threads, labelled_).read(samples).nearest);
+}
+
+std::vector<std::size_t> NeuronLabels::classes_of(const std::vector<std::size_t>& labelled) const {
+  std::vector<std::size_t> classes;
+  classes.reserve(labelled.size());
+  for (const std::size_t neuron : labelled) classes.push_back(*class_of_neuron_[neuron]);
+  return classes;
+}
+
+void NeuronLabels::require_labels() const {
+  require(!labelled_.empty(), "classification requires at least one neuron with a label");
 }
 
 std::size_t NeuronVotes::classes() const {

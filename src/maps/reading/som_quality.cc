@@ -6,8 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/core/threads.h"
-#include "maps/reading/winner_search.h"
+#include "maps/reading/sample_reader.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -28,16 +27,7 @@ SomQualityMeasurement::SomQualityMeasurement(const Som& som, std::size_t threads
     : som_(som), threads_(threads), keeps_(keeps), hits_(som.neurons()) {}
 
 std::vector<std::size_t> SomQualityMeasurement::add(const Samples& samples) {
-  Samples storage;
-  const std::vector<Winners> winners =
-      WinnerSearch::find_all(som_, seen_samples(som_, samples, storage), true, threads_);
-  std::vector<double> distances(samples.count());
-  for_each_range(samples.count(), threads_, [&](std::size_t begin, std::size_t end) {
-    SomWorkspace workspace;
-    for (std::size_t i = begin; i < end; ++i) {
-      distances[i] = som_.distance(samples[i], winners[i].first, workspace);
-    }
-  });
+  const auto [winners, distances, _] = SampleReader(som_, threads_).read(samples, {true, true});
   std::vector<std::size_t> first;
   first.reserve(samples.count());
   for (std::size_t i = 0; i < samples.count(); ++i) {

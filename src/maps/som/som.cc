@@ -209,22 +209,25 @@ std::size_t Som::winner_among(std::span<const std::size_t> candidates, const Sig
                     [&](std::size_t neuron) { return exact_score(prepared, neuron, workspace); });
 }
 
+// In the place of the scores.
+void Som::find_similarities(const SignalView& input, SomWorkspace& workspace) const {
+  scores(input, workspace);
+  if (parameters_.similarity == Similarity::kDotProduct) return;
+  similarities_of_squares(workspace.scores_, workspace.left_out_);
+}
+
 void Som::similarities(const SignalView& input, SomWorkspace& workspace,
                        std::span<float> out) const {
   require(out.size() == neurons(), "similarities need space for one value per neuron");
-  const std::span<const float> all = scores(input, workspace);
-  if (parameters_.similarity == Similarity::kDotProduct) {
-    std::copy(all.begin(), all.end(), out.begin());
-    return;
-  }
-  for (std::size_t neuron = 0; neuron < all.size(); ++neuron) {
-    out[neuron] = similarity_at(double{all[neuron]} + workspace.left_out_);
-  }
+  find_similarities(input, workspace);
+  std::copy_n(workspace.scores_.begin(), out.size(), out.begin());
 }
 
 void Som::activity(const SignalView& input, SomWorkspace& workspace, std::span<float> out) const {
-  similarities(input, workspace, out);
-  activity_of_similarities(parameters_, out);
+  require(out.size() == neurons(), "an activity needs space for one value per neuron");
+  find_similarities(input, workspace);
+  activity_of_similarities(parameters_, workspace.scores_, out.size());
+  std::copy_n(workspace.scores_.begin(), out.size(), out.begin());
 }
 
 double Som::distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const {

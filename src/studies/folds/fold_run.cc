@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "maps/reading/sample_reader.h"
 #include "somato/codes/standardization.h"
 #include "somato/graph/system_model.h"
 #include "somato/graph/system_training.h"
@@ -104,12 +105,9 @@ class Naming {
 
   Numbers named_by(const Numbers& explorations) {
     if (recalled_) return strongest_among(won_, *recalled_, explorations);
-    Numbers named;
-    named.reserve(explorations.size());
-    for (const std::size_t sample : inputs_.places_of(explorations)) {
-      named.push_back(som_.winner_among(won_, inputs_.samples, sample, workspace_));
-    }
-    return named;
+    return SampleReader(som_, 1, won_)
+        .read(inputs_.samples, inputs_.places_of(explorations))
+        .nearest;
   }
 
  private:
@@ -117,7 +115,6 @@ class Naming {
   const ExplorationValues& inputs_;
   const std::optional<ExplorationValues>& recalled_;
   Numbers won_;
-  SomWorkspace workspace_;
 };
 
 }  // namespace
@@ -170,23 +167,22 @@ FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared,
                       std::vector<Neighbours> nearest) {
   const Som& som = *som_of(trained.system, prepared.map);
   const Samples& inputs = trained.inputs.samples;
-  SomWorkspace workspace;
   FoldOutcome outcome;
   outcome.map.grid = som.grid();
   nearest.resize(1 + prepared.alterations.size());
   outcome.nearest = std::move(nearest.front());
-  for (const std::size_t sample : trained.inputs.places_of(fold.training)) {
-    outcome.training_winners.push_back(som.winners(inputs, sample, workspace).first);
-  }
+  outcome.training_winners =
+      first_winners(SampleReader(som).read(inputs, trained.inputs.places_of(fold.training)));
   Naming naming(trained, prepared, outcome.training_winners);
   outcome.named_by = naming.named_by(fold.test);
-  for (const std::size_t sample : trained.inputs.places_of(fold.test)) {
-    const Winners winners = som.winners(inputs, sample, workspace);
-    const bool topographic_errors =
-        winners.first != winners.second && !som.grid().adjacent(winners.first, winners.second);
-    outcome.winners.push_back(winners.first);
-    outcome.summed_distance += som.distance(inputs, sample, winners.first, workspace);
-    outcome.topographic_errors += topographic_errors ? 1.0 : 0.0;
+  const SampleReadings tested =
+      SampleReader(som).read(inputs, trained.inputs.places_of(fold.test), {true, true});
+  outcome.winners = first_winners(tested);
+  for (std::size_t i = 0; i < tested.winners.size(); ++i) {
+    const auto [first, second] = tested.winners[i];
+    outcome.summed_distance += tested.distances[i];
+    outcome.topographic_errors +=
+        first != second && !som.grid().adjacent(first, second) ? 1.0 : 0.0;
   }
   for (std::size_t i = 0; i < prepared.alterations.size(); ++i) {
     outcome.altered.push_back(

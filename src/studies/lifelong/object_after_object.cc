@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "base/core/values_at.h"
+#include "maps/reading/sample_reader.h"
 #include "somato/core/random.h"
 #include "somato/graph/further_learning.h"
 #include "somato/graph/system_model.h"
@@ -72,22 +74,19 @@ class LearningMap {
   Result<void> learn(const LearnedVectors& learned) {
     SOMATO_TRY(const auto origins, learn_(learned.samples));
     votes_ = votes_.neurons() == 0 ? NeuronVotes(origins.size()) : votes_.moved_to(origins);
-    SomWorkspace workspace;
-    for (std::size_t i = 0; i < learned.classes.size(); ++i) {
-      votes_.add(map().winners(learned.samples, i, workspace).first, learned.classes[i]);
-    }
+    Numbers all(learned.classes.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    votes_.add_all(winners(learned.samples, all), learned.classes);
     return {};
   }
 
   Numbers classify(const Samples& inputs, const Numbers& places) const {
     const NeuronLabels labels = votes_.labels();
-    SomWorkspace workspace;
-    Numbers named;
-    named.reserve(places.size());
-    for (const std::size_t place : places) {
-      named.push_back(labels.classify(map(), inputs[place], workspace));
-    }
-    return named;
+    return labels.classify(map(), inputs.subset(places));
+  }
+
+  Numbers winners(const Samples& inputs, const Numbers& places) const {
+    return first_winners(SampleReader(map()).read(inputs, places));
   }
 
   const Som& map() const { return map_(); }
@@ -277,14 +276,8 @@ class ObjectSequence {
 // Describes the map of the system after the last object.
 void describe_map(const LearningMap& map, const PreparedStudy& prepared, const Fold& fold,
                   const ExplorationValues& inputs, FoldOutcome& outcome) {
-  SomWorkspace workspace;
   const auto winners_of = [&](const Numbers& samples) {
-    Numbers winners;
-    winners.reserve(samples.size());
-    for (const std::size_t place : inputs.places_of(samples)) {
-      winners.push_back(map.map().winners(inputs.samples, place, workspace).first);
-    }
-    return winners;
+    return map.winners(inputs.samples, inputs.places_of(samples));
   };
   outcome.map.grid = map.map().grid();
   outcome.training_winners = winners_of(fold.training);

@@ -93,12 +93,7 @@ class TaughtSystem {
   }
 
   std::vector<InputAnswer> answers(const Numbers& explorations) const {
-    std::vector<InputAnswer> answers;
-    answers.reserve(explorations.size());
-    for (const std::size_t place : inputs_.places_of(explorations)) {
-      answers.push_back(answer_to(model_, inputs_.samples[place]));
-    }
-    return answers;
+    return answers_to(model_, inputs_.samples.subset(inputs_.places_of(explorations)));
   }
 
   std::string named(const InputAnswer& answer) const { return answer.name(model_.answer->classes); }

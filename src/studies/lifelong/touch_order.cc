@@ -49,14 +49,7 @@ Result<Numbers> readings(const Problem& problem, std::size_t grasp, const Fold& 
   const NeuronLabels labels =
       NeuronLabels::by_majority(winners_of(som, inputs, 1),
                                 values_at(problem.classes.of_sample, fold.training), som.neurons());
-  const Samples tested = standardization.apply(vectors.subset(fold.test));
-  SomWorkspace workspace;
-  Numbers names;
-  names.reserve(fold.test.size());
-  for (std::size_t i = 0; i < fold.test.size(); ++i) {
-    names.push_back(labels.classify(som, tested[i], workspace));
-  }
-  return names;
+  return labels.classify(som, standardization.apply(vectors.subset(fold.test)));
 }
 
 // Counted on held-out training explorations.

@@ -4,6 +4,8 @@
 
 #include <numeric>
 
+#include "base/core/threads.h"
+#include "maps/reading/sample_reader.h"
 #include "maps/som/sample_range.h"
 #include "somato/core/check.h"
 #include "somato/graph/evaluation.h"
@@ -19,18 +21,33 @@ std::string InputAnswer::name(const std::vector<std::string>& classes) const {
 }
 
 InputAnswer answer_to(const SystemModel& model, const SignalView& input) {
+  SampleCollector one;
+  one.add(input);
+  return answers_to(model, one.samples()).front();
+}
+
+std::vector<InputAnswer> answers_to(const SystemModel& model, const Samples& inputs,
+                                    std::size_t threads) {
   require(model.answer.has_value(), "a model without an answer cannot answer");
   const SystemAnswer& answer = *model.answer;
+  require(!answer.labels.labelled().empty(), "an answer needs a neuron with a name");
+  if (inputs.count() == 0) return {};
   const Som& som = *som_of(model.system, *model.system.find(answer.map));
-  SomWorkspace workspace;
-  const std::size_t winner = som.winner(input, workspace);
-  const std::size_t named = som.winner_among(answer.labels.labelled(), input, workspace);
-  InputAnswer given{winner,
-                    som.distance(input, winner, workspace),
-                    *answer.labels[named],
-                    som.distance(input, named, workspace),
-                    {}};
-  if (answer.novelty) given.novelty = answer.novelty->of(given.nearest, given.distance);
+  const SampleReadings readings =
+      SampleReader(som, threads, answer.labels.labelled()).read(inputs, {false, true});
+  std::vector<InputAnswer> given(inputs.count());
+  for_each_range(inputs.count(), threads, [&](std::size_t begin, std::size_t end) {
+    SomWorkspace workspace;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t named = readings.nearest[i];
+      given[i] = {readings.winners[i].first,
+                  readings.distances[i],
+                  *answer.labels[named],
+                  som.distance(inputs[i], named, workspace),
+                  {}};
+      if (answer.novelty) given[i].novelty = answer.novelty->of(given[i].nearest, given[i].distance);
+    }
+  });
   return given;
 }
 
@@ -54,8 +71,7 @@ Result<std::vector<InputAnswer>> answers(const SystemModel& model, const Recordi
   Activations activations(model.system.modules().size(), all.size());
   const std::size_t input = model.system.modules()[map].inputs.front();
   SOMATO_TRY_VOID(evaluate(model.system, recording, all, {input}, threads, activations));
-  std::vector<InputAnswer> given;
-  given.reserve(all.size());
+  SampleCollector inputs;
   for (const std::size_t exploration : all) {
     const SignalView seen = activations.find(input, exploration)->values[0];
     if (!is_in_range(seen)) {
@@ -65,9 +81,9 @@ Result<std::vector<InputAnswer>> answers(const SystemModel& model, const Recordi
                               exploration + 1),
                   recording.explorations[exploration].source, "leave the exploration out");
     }
-    given.push_back(answer_to(model, seen));
+    inputs.add(seen);
   }
-  return given;
+  return answers_to(model, inputs.samples(), threads);
 }
 
 }  // namespace somato

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/text/text.h"
+#include "maps/reading/sample_reader.h"
 #include "somato/core/check.h"
 #include "somato/graph/answers.h"
 #include "somato/graph/evaluation.h"
@@ -153,10 +155,9 @@ Result<void> learn_further(SystemModel& model, const Recording& recording,
   SOMATO_TRY(const auto origins, learn_further(model.system, map, inputs, options));
   answer.votes = votes_of(answer).moved_to(origins);
   const Som& som = *som_of(model.system, map);
-  SomWorkspace workspace;
-  for (std::size_t i = 0; i < explorations.size(); ++i) {
-    answer.votes.add(som.winners(inputs, i, workspace).first, classes[i]);
-  }
+  Numbers all(explorations.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  answer.votes.add_all(first_winners(SampleReader(som, options.threads).read(inputs, all)), classes);
   answer.labels = answer.votes.labels();
   if (answer.novelty) answer.novelty->add_classes(answer.classes.size());
   model.answer = std::move(answer);

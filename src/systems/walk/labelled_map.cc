@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/core/values_at.h"
+#include "maps/reading/sample_reader.h"
 
 namespace somato {
 namespace {
@@ -11,13 +12,7 @@ namespace {
 using Numbers = std::vector<std::size_t>;
 
 Numbers winners_at(const Som& som, const Samples& inputs, const Numbers& places) {
-  SomWorkspace workspace;
-  Numbers winners;
-  winners.reserve(places.size());
-  for (const std::size_t place : places) {
-    winners.push_back(som.winners(inputs, place, workspace).first);
-  }
-  return winners;
+  return first_winners(SampleReader(som).read(inputs, places));
 }
 
 }  // namespace
@@ -33,24 +28,29 @@ LabelledMap::LabelledMap(const Som& som, const ExplorationValues& inputs, const 
       labels_(NeuronLabels::by_majority(winners_, class_of_, som_.neurons())) {}
 
 std::vector<LabelledNeuron> LabelledMap::nearest(const Numbers& explorations) const {
+  const Numbers places = inputs_.places_of(explorations);
+  const Numbers neurons =
+      SampleReader(som_, 1, labels_.labelled()).read(inputs_.samples, places).nearest;
   SomWorkspace workspace;
   std::vector<LabelledNeuron> nearest;
-  nearest.reserve(explorations.size());
-  for (const std::size_t place : inputs_.places_of(explorations)) {
-    const std::size_t neuron =
-        som_.winner_among(labels_.labelled(), inputs_.samples, place, workspace);
-    nearest.push_back({*labels_[neuron], som_.distance(inputs_.samples, place, neuron, workspace)});
+  nearest.reserve(neurons.size());
+  for (std::size_t i = 0; i < neurons.size(); ++i) {
+    nearest.push_back({*labels_[neurons[i]],
+                       som_.distance(inputs_.samples, places[i], neurons[i], workspace)});
   }
   return nearest;
 }
 
 // A neuron that no other exploration has won may be a copy of it.
 double LabelledMap::distance_from_others(std::size_t i) const {
-  std::vector<std::size_t> others = labels_.labelled();
-  const bool is_shared = std::count(winners_.begin(), winners_.end(), winners_[i]) > 1;
-  if (!is_shared && others.size() > 1) std::erase(others, winners_[i]);
   SomWorkspace workspace;
-  const std::size_t neuron = som_.winner_among(others, inputs_.samples, places_[i], workspace);
+  std::size_t neuron = winners_[i];
+  const bool is_shared = std::count(winners_.begin(), winners_.end(), neuron) > 1;
+  if (!is_shared && labels_.labelled().size() > 1) {
+    std::vector<std::size_t> others = labels_.labelled();
+    std::erase(others, neuron);
+    neuron = som_.winner_among(others, inputs_.samples, places_[i], workspace);
+  }
   return som_.distance(inputs_.samples, places_[i], neuron, workspace);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "maps/reading/sample_reader.h"
 #include "recordings/explorations/recording_json.h"
 #include "somato/graph/evaluation.h"
 #include "somato/maps/som_quality.h"
@@ -39,14 +40,13 @@ Result<std::vector<std::size_t>> winners_of(const Evidence& evidence, std::size_
   auto evaluated =
       evaluate(system, recording, evidence.explorations, {input}, threads, activations);
   if (!evaluated) return fail(std::move(evaluated.error()));
-  SomWorkspace workspace;
-  const Som& som = *som_of(system, *evidence.map);
-  std::vector<std::size_t> winners;
+  SampleCollector inputs;
   for (const std::size_t exploration : evidence.explorations) {
     const Samples& values = activations.find(input, exploration)->values;
-    winners.push_back(som.winner(values[values.count() - 1], workspace));
+    inputs.add(values[values.count() - 1]);
   }
-  return winners;
+  const Som& som = *som_of(system, *evidence.map);
+  return first_winners(SampleReader(som, threads).read(inputs.samples()));
 }
 
 Json hits_json(const std::vector<std::size_t>& winners, std::size_t neurons) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "maps/reading/sample_reader.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system_training.h"
 #include "somato/maps/labels.h"
@@ -176,12 +177,7 @@ class VisibleTraining {
 
   Result<std::shared_ptr<const SystemModel>> labelled() {
     const Som& som = *som_of(system_, map_);
-    SomWorkspace workspace;
-    std::vector<std::size_t> winners;
-    winners.reserve(samples_.count());
-    for (std::size_t i = 0; i < samples_.count(); ++i) {
-      winners.push_back(som.winner(samples_[i], workspace));
-    }
+    const std::vector<std::size_t> winners = first_winners(SampleReader(som).read(samples_));
     look_.done = true;
     look_.step = look_.steps;
     if (!look_at(som)) return stopped();

@@ -73,6 +73,26 @@ TEST(NearestNeighbour, AgreesWithAllDistancesWrittenOut) {
   compare_with_oracle(false);
 }
 
+// So many that a map of the training samples is searched; every third sample is a copy of another.
+TEST(NearestNeighbour, OfManyTestsIsThatOfEachTest) {
+  Random random(3);
+  for (const float scale : {1.0F, 1e20F}) {  // beyond single precision, there is no search
+    Matrix<float> rows(150, 6);
+    for (float& value : rows.values()) value = scale * static_cast<float>(random.normal());
+    for (std::size_t i = 3; i < rows.rows(); i += 3) {
+      std::copy_n(rows.row(i - 3).begin(), rows.columns(), rows.row(i).begin());
+    }
+    const Samples samples(std::move(rows));
+    Numbers training;
+    Numbers tests;
+    for (std::size_t i = 0; i < samples.count(); ++i) (i % 2 == 0 ? training : tests).push_back(i);
+    const Numbers nearest = nearest_neighbours(samples, training, tests);
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      EXPECT_EQ(nearest[i], oracle(samples, training, tests[i])) << i;
+    }
+  }
+}
+
 TEST(NearestNeighbour, AgreesOnSparseSamples) {
   compare_with_oracle(true);
 }
