@@ -143,7 +143,7 @@ std::string saved_map(const SomParameters& parameters, const Samples& samples,
 std::vector<SomParameters> kinds_of_training() {
   std::vector<SomParameters> kinds;
   for (const Lattice lattice : {Lattice::kRectangular, Lattice::kHexagonal}) {
-    for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
+    for (const auto& [similarity, name] : Choices<Similarity>::all()) {
       SomParameters p;
       p.rows = 10;
       p.columns = 15;
@@ -154,7 +154,7 @@ std::vector<SomParameters> kinds_of_training() {
       p.radius_schedule = ScheduleShape::kExponential;
       kinds.push_back(p);
       p.arithmetic = Arithmetic::kInnerProducts;
-      kinds.push_back(p);
+      if (follows_from_products(similarity)) kinds.push_back(p);
       p.arithmetic = Arithmetic::kAutomatic;
       p.training = Training::kBatch;
       kinds.push_back(p);

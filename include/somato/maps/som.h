@@ -60,6 +60,9 @@ class StoredElements {
   /// not 0. Throws InvalidArgument if a size differs.
   double gather(const SignalView& signal, std::span<float> out, double factor = 1.0) const;
 
+  /// The sum of the magnitudes of the elements that are not stored, times `factor`.
+  double magnitude_of_others(const SignalView& signal, double factor = 1.0) const;
+
   /// Converts samples of size() elements to samples of the stored elements; sparse samples become
   /// dense unless they are nearly empty. Throws InvalidArgument if the size differs.
   Samples gather(const Samples& samples) const;
@@ -78,9 +81,10 @@ class StoredElements {
 class SomWorkspace {
  private:
   friend class DenseMap;
+  friend class DirectMap;
   friend class Som;
   AlignedVector<float> input_;
-  double left_out_ = 0.0;  // squared length of the input's elements without weights
+  double left_out_ = 0.0;  // of elements without weights: squared length, or sum of magnitudes
   AlignedVector<float> scores_;
   std::vector<std::uint32_t> candidates_;
   std::vector<float> row_;
@@ -153,8 +157,8 @@ class Som {
   /// Throws InvalidArgument if there is no such neuron or the size differs.
   Som with_neuron_at(std::size_t neuron, const SignalView& input) const;
 
-  /// The neuron most similar to `input`, by distances or inner products in double precision; in a
-  /// tie the first neuron.
+  /// The neuron most similar to `input`, by distances or inner products in double precision (for
+  /// cosine distances by (x . w) / |w|); in a tie the first neuron.
   std::size_t winner(const SignalView& input, SomWorkspace& workspace) const;
 
   /// The same for a dense input, with scratch memory of the thread.
@@ -176,8 +180,8 @@ class Som {
                   SomWorkspace& workspace) const;
 
   /// The similarity of each neuron to `input`, higher values are more similar: w . x for a
-  /// dot-product map; for a Euclidean map 1 / (1 + |x - w|), which is in (0, 1] and decreases with
-  /// distance for any scale of the data. `out` has neurons() values.
+  /// dot-product map; for the others 1 / (1 + d) with the map's distance d, which is in (0, 1] and
+  /// decreases with distance for any scale of the data. `out` has neurons() values.
   void similarities(const SignalView& input, SomWorkspace& workspace, std::span<float> out) const;
 
   /// The activity of each neuron: the softmax of the similarities s, rectified at 0, with the form,
@@ -185,12 +189,14 @@ class Som {
   /// the order). All zero if all similarities are zero.
   void activity(const SignalView& input, SomWorkspace& workspace, std::span<float> out) const;
 
-  /// The Euclidean distance of the input, after normalization, from the weights of `neuron`, in
-  /// double precision.
+  /// The distance of the input, after normalization, from the weights of `neuron`, in double
+  /// precision: that of the map's similarity, the Euclidean one for a dot-product map.
   double distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const;
 
  private:
   friend class DenseMap;
+  friend class DirectMap;
+  friend class ScoreSearch;
   friend class SparseLearner;
   friend class WinnerSearch;
   friend LaneMatrix<float>& weights_to_change(Som& som);
@@ -203,6 +209,8 @@ class Som {
   void find_similarities(const SignalView& input, SomWorkspace& workspace) const;
   std::size_t winner_of(std::span<const float> prepared, SomWorkspace& workspace) const;
   Winners best_of(std::span<const float> prepared, bool two, SomWorkspace& workspace) const;
+  Winners decide(std::span<const float> scores, std::span<const float> prepared, bool two,
+                 SomWorkspace& workspace) const;
   double exact_score(std::span<const float> prepared, std::size_t neuron,
                      SomWorkspace& workspace) const;
   float score_margin(float best, std::span<const float> prepared) const;

@@ -40,8 +40,9 @@ struct LearningStep {
 class SomLearner {
  public:
   /// `threads` share each input of a large map; threads other than the calling one exist during the
-  /// lifetime of the learner.
-  explicit SomLearner(Som& som, std::size_t threads = 1);
+  /// lifetime of the learner. With `incomplete`, elements of dense inputs may be missing (NaN):
+  /// they are left out of distances, and their weights do not change (TrainingOptions::incomplete).
+  explicit SomLearner(Som& som, std::size_t threads = 1, bool incomplete = false);
 
   SomLearner(const SomLearner&) = delete;
   SomLearner(SomLearner&&) = delete;
@@ -81,10 +82,12 @@ class SomLearner {
   Form form_for(const OnlineInput& input) const;
   OnlineMap& map_for(const OnlineInput& input);
   void begin(Form form);
+  bool learns_directly() const;
   Learned learn_first(std::span<const OnlineInput> inputs, std::span<const LearningStep> steps);
   void learn_all(std::span<const OnlineInput> inputs, std::span<const LearningStep> steps);
 
   Som& som_;
+  bool incomplete_;
   std::unique_ptr<ThreadTeam> team_;
   SomWorkspace workspace_;
   Form form_ = Form::kNone;

@@ -24,7 +24,15 @@ enum class NeighbourhoodShape {
 enum class Similarity {
   kEuclidean,   ///< The smallest distance of weights and input.
   kDotProduct,  ///< The greatest inner product of weights and input; weights have length 1.
+  kManhattan,   ///< The smallest sum of the magnitudes of differences.
+  kCosine,      ///< The smallest cosine distance 1 - (x . w) / (|x| |w|), which is 1 for zeros.
+  kChebyshev,   ///< The smallest maximum of the magnitudes of differences.
 };
+
+/// Whether winners follow from inner products and lengths, as training by inner products requires.
+constexpr bool follows_from_products(Similarity similarity) {
+  return similarity == Similarity::kEuclidean || similarity == Similarity::kDotProduct;
+}
 
 /// Training method.
 enum class Training {

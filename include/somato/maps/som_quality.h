@@ -11,7 +11,7 @@ namespace somato {
 
 /// Quality measures of a map for samples.
 struct SomQuality {
-  /// The mean Euclidean distance of a sample, after normalization, from the weights of its winner.
+  /// The mean of Som::distance(): of a sample, after normalization, from its winner's weights.
   double quantization_error = 0.0;
 
   /// The share of samples whose winner and second winner do not share an edge on the grid (four
@@ -59,11 +59,12 @@ class SomQualityMeasurement {
 /// threads, with the same result for any number. Without samples both errors are 0.
 SomQuality measure_quality(const Som& som, const Samples& samples, std::size_t threads = 1);
 
-/// The U-matrix, one value per neuron: the mean Euclidean distance of its weights from those of the
-/// neurons that share an edge with it (Ultsch 1990). 0 for a single neuron.
+/// The U-matrix, one value per neuron: the mean distance of its weights from those of the neurons
+/// that share an edge with it (Ultsch 1990), by the map's similarity as in Som::distance(). 0 for a
+/// single neuron.
 std::vector<double> u_matrix(const Som& som);
 
-/// The Euclidean distances between the weights of connected neurons, in the order of
+/// The same distances between the weights of connected neurons, in the order of
 /// NeuronGraph::edges(); empty for a map on rows and columns.
 std::vector<double> edge_distances(const Som& som);
 

@@ -41,6 +41,14 @@ struct TrainingOptions {
   /// affect the map, but in training by inner products it knows() them as well.
   std::optional<std::vector<std::size_t>> training = {};
 
+  /// The same samples, dense, with NaN for missing elements; or nullptr. The map then learns from
+  /// these: winners by known elements, and each weight from the samples that know its element
+  /// (Samad and Harp, "Self-organization with partial data", Network 3, 1992). Only initial weights
+  /// are those of the samples without missing elements. Only for samples in memory, in plain
+  /// arithmetic, and maps whose distance is a sum or maximum over elements, without
+  /// `normalize_input`; otherwise training fails with kUsage. Not together with `training`.
+  const Samples* incomplete = nullptr;
+
   /// A trained map of the same size from whose weights training starts, with the schedule of a new
   /// training and in plain arithmetic; nullptr: initial weights. Only for samples in memory.
   const Som* start = nullptr;

@@ -84,6 +84,10 @@ struct BatchTable {
   double (*squared_distance)(const float* a, const float* b, std::size_t count);
   /// The sum of a * b in double precision, in one fixed order.
   double (*inner_product)(const float* a, const float* b, std::size_t count);
+  /// The sum of |a - b| in double precision, in one fixed order.
+  double (*absolute_distance)(const float* a, const float* b, std::size_t count);
+  /// The greatest |a - b| in double precision.
+  double (*greatest_difference)(const float* a, const float* b, std::size_t count);
   /// sums(winner) += the eight values at `values` times the eight powers of 2 at `scales`, rounded
   /// to the nearest integers, which must be below 2^51 in magnitude, even ones in ties, for each of
   /// `count` winners; those of the next are `stride` further on. `sums` holds eight for each

@@ -452,6 +452,30 @@ struct AddProducts {
   }
 };
 
+struct AddMagnitudes {
+  const float* a;
+  const float* b;
+  Vector<double> vectors(std::size_t i, Vector<double> sum) const {
+    return sum + magnitude(as_doubles(a + i) - as_doubles(b + i));
+  }
+  double one(std::size_t i, double sum) const {
+    return sum + __builtin_fabs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+  }
+};
+
+double absolute_distance_in_double(const float* a, const float* b, std::size_t count) {
+  return sum_in_sixteen(count, AddMagnitudes{a, b});
+}
+
+double greatest_difference_in_double(const float* a, const float* b, std::size_t count) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double apart = __builtin_fabs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+    most = apart > most ? apart : most;
+  }
+  return most;
+}
+
 double squared_distance_in_double(const float* a, const float* b, std::size_t count) {
   return sum_in_sixteen(count, AddSquares{a, b});
 }
@@ -517,6 +541,8 @@ extern const BatchTable kBatchTable = {screen,
                                        squared_length,
                                        squared_distance_in_double,
                                        inner_product_in_double,
+                                       absolute_distance_in_double,
+                                       greatest_difference_in_double,
                                        add_by_winner,
                                        mix};
 // NOLINTEND(misc-definitions-in-headers)

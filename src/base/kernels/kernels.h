@@ -23,12 +23,14 @@ inline constexpr Real kNegligible =
     sizeof(Real) == sizeof(float) ? static_cast<Real>(1e-18) : static_cast<Real>(1e-150);
 
 /// The matrix as the kernels see it: plain pointers, so that no inline function of another header
-/// is compiled for an instruction set that the machine may lack. See LaneMatrix for the order.
+/// is compiled for an instruction set that the machine may lack. See LaneMatrix for the order. A
+/// range of columns has the same stride as all columns.
 template <typename Real>
 struct Lanes {
   Real* values;
   std::size_t blocks;
   std::size_t columns;
+  std::size_t stride = columns;  ///< Columns from one block to the next.
 };
 
 /// The kernels for one type of number. `out`, `gains` and `factors` hold a value for each padded

@@ -57,7 +57,7 @@ inline void sum_rows(std::size_t blocks, std::size_t columns, Real* out, const T
 // The lanes of one column of one block.
 template <typename Real>
 inline Real* lanes_at(const Lanes<Real>& w, std::size_t block, std::size_t column) {
-  return w.values + (block * w.columns + column) * kLaneCount<Real>;
+  return w.values + (block * w.stride + column) * kLaneCount<Real>;
 }
 
 template <typename Real>

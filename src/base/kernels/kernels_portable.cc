@@ -2,6 +2,7 @@
 #include "base/kernels/kernels.h"
 
 #include "base/kernels/batch_kernels_body.h"
+#include "base/kernels/distance_kernels_body.h"
 #include "base/kernels/kernels_body.h"
 #include "base/kernels/neuron_activity_kernels_body.h"
 #include "base/kernels/online_kernels_body.h"

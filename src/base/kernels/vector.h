@@ -58,6 +58,9 @@ inline Vector<float> greatest(Vector<float> a, Vector<float> b) {
 inline Vector<float> rectified(Vector<float> a) {
   return {_mm512_maskz_max_ps(0xFFFF, _mm512_setzero_ps(), a.lanes)};
 }
+inline Vector<float> magnitude(Vector<float> a) {
+  return {_mm512_abs_ps(a.lanes)};
+}
 
 template <>
 struct Vector<double> {
@@ -98,6 +101,9 @@ inline Vector<double> operator/(Vector<double> a, Vector<double> b) {
 }
 inline Vector<double> square_root(Vector<double> a) {
   return {_mm512_maskz_sqrt_pd(0xFF, a.lanes)};
+}
+inline Vector<double> magnitude(Vector<double> a) {
+  return {_mm512_abs_pd(a.lanes)};
 }
 inline Vector<double> multiply_add(Vector<double> a, Vector<double> b, Vector<double> c) {
   return {_mm512_fmadd_pd(a.lanes, b.lanes, c.lanes)};
@@ -169,6 +175,10 @@ inline Vector<float> rectified(Vector<float> a) {
   const __m256 zero = _mm256_setzero_ps();
   return {_mm256_max_ps(zero, a.low), _mm256_max_ps(zero, a.high)};
 }
+inline Vector<float> magnitude(Vector<float> a) {
+  const __m256 sign = _mm256_set1_ps(-0.0F);
+  return {_mm256_andnot_ps(sign, a.low), _mm256_andnot_ps(sign, a.high)};
+}
 
 template <>
 struct Vector<double> {
@@ -216,6 +226,10 @@ inline Vector<double> operator/(Vector<double> a, Vector<double> b) {
 }
 inline Vector<double> square_root(Vector<double> a) {
   return {_mm256_sqrt_pd(a.low), _mm256_sqrt_pd(a.high)};
+}
+inline Vector<double> magnitude(Vector<double> a) {
+  const __m256d sign = _mm256_set1_pd(-0.0);
+  return {_mm256_andnot_pd(sign, a.low), _mm256_andnot_pd(sign, a.high)};
 }
 inline Vector<double> multiply_add(Vector<double> a, Vector<double> b, Vector<double> c) {
   return {_mm256_fmadd_pd(a.low, b.low, c.low), _mm256_fmadd_pd(a.high, b.high, c.high)};
@@ -314,6 +328,17 @@ inline Vector<Real> zero_below(Vector<Real> a, const Vector<Real>& limit) {
     const Real magnitude = a.lanes[i] < 0 ? -a.lanes[i] : a.lanes[i];
     if (magnitude < limit.lanes[i]) a.lanes[i] = 0;
   }
+  return a;
+}
+inline float magnitude(float value) {
+  return __builtin_fabsf(value);
+}
+inline double magnitude(double value) {
+  return __builtin_fabs(value);
+}
+template <typename Real>
+inline Vector<Real> magnitude(Vector<Real> a) {
+  for (Real& lane : a.lanes) lane = magnitude(lane);
   return a;
 }
 inline Vector<float> greatest(Vector<float> a, const Vector<float>& b) {

@@ -14,6 +14,7 @@ namespace {
 bool inner_products_pay(const SomParameters& parameters, std::size_t samples,
                         std::size_t features) {
   constexpr std::size_t kMostSamples = 8192;  // their products take half a gigabyte
+  if (!follows_from_products(parameters.similarity)) return false;
   if (samples > kMostSamples) return false;
   return parameters.training == Training::kBatch
              ? 8 * samples <= features && parameters.epochs >= 8
@@ -30,7 +31,11 @@ const std::vector<std::pair<NeighbourhoodShape, std::string>>& Choices<Neighbour
 
 const std::vector<std::pair<Similarity, std::string>>& Choices<Similarity>::all() {
   static const std::vector<std::pair<Similarity, std::string>> choices{
-      {Similarity::kEuclidean, "euclidean"}, {Similarity::kDotProduct, "dot_product"}};
+      {Similarity::kEuclidean, "euclidean"},
+      {Similarity::kDotProduct, "dot_product"},
+      {Similarity::kManhattan, "manhattan"},
+      {Similarity::kCosine, "cosine"},
+      {Similarity::kChebyshev, "chebyshev"}};
   return choices;
 }
 
@@ -91,8 +96,11 @@ const Declarations<SomParameters>& SomParameters::declarations() {
           .add("topology", &P::topology, "", Range::any(),
                "Whether the map has borders, or opposite edges are joined.")
           .add("similarity", &P::similarity, "", Range::any(),
-               "Criterion for the winner: the smallest Euclidean distance, or the greatest inner "
-               "product with weights of length 1.")
+               "Criterion for the winner: the smallest Euclidean, manhattan (sum of the "
+               "differences' "
+               "magnitudes), chebyshev (greatest of them) or cosine distance (1 - cosine), or the "
+               "greatest inner product with weights of length 1. It does not change how weights "
+               "learn.")
           .add("normalize_input", &P::normalize_input, "", Range::any(),
                "Whether every input is scaled to Euclidean length 1; automatic: with dot_product "
                "only. Not given in the paper.")
@@ -188,10 +196,22 @@ Result<void> check_given_side(const SomParameters& parameters) {
               parameters.rows ? "rows" : "columns", "set 'rows' and 'columns'");
 }
 
+Result<void> check_arithmetic(const SomParameters& parameters) {
+  if (parameters.arithmetic != Arithmetic::kInnerProducts ||
+      follows_from_products(parameters.similarity)) {
+    return {};
+  }
+  return fail(ErrorKind::kUsage,
+              fmt::format("inner products do not give the distances of similarity '{}'",
+                          choice_name(parameters.similarity)),
+              "arithmetic", "set 'arithmetic' to plain or leave it out");
+}
+
 }  // namespace
 
 Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features) {
   if (parameters.is_size_automatic()) SOMATO_TRY_VOID(check_given_side(parameters));
+  SOMATO_TRY_VOID(check_arithmetic(parameters));
   decide_size(parameters, samples);
   auto& p = parameters;
   SOMATO_TRY_VOID(Grid::validate(*p.rows, *p.columns, p.lattice, p.topology));

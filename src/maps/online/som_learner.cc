@@ -5,6 +5,7 @@
 
 #include "base/core/thread_team.h"
 #include "maps/online/dense_map.h"
+#include "maps/online/direct_map.h"
 #include "maps/online/product_learner.h"
 #include "maps/online/sparse_learner.h"
 #include "somato/core/check.h"
@@ -23,8 +24,8 @@ constexpr std::size_t kSeldom = 8;
 
 }  // namespace
 
-SomLearner::SomLearner(Som& som, std::size_t threads)
-    : som_(som), team_(std::make_unique<ThreadTeam>(threads)) {}
+SomLearner::SomLearner(Som& som, std::size_t threads, bool incomplete)
+    : som_(som), incomplete_(incomplete), team_(std::make_unique<ThreadTeam>(threads)) {}
 
 SomLearner::~SomLearner() {
   settle();
@@ -48,9 +49,13 @@ Som SomLearner::look() const {
 SomLearner::Form SomLearner::form_for(const OnlineInput& input) const {
   if (input.item) return Form::kProducts;
   const SignalView& x = input.values;
-  const bool is_empty_enough =
-      x.sparse && x.size <= kMostElements && x.values.size() * kEmptyEnough < x.size;
+  const bool is_empty_enough = !learns_directly() && x.sparse && x.size <= kMostElements &&
+                               x.values.size() * kEmptyEnough < x.size;
   return is_empty_enough && form_ != Form::kDense && !read_often_ ? Form::kSparse : Form::kDense;
+}
+
+bool SomLearner::learns_directly() const {
+  return incomplete_ || !follows_from_products(som_.parameters().similarity);
 }
 
 void SomLearner::begin(Form form) {
@@ -59,7 +64,12 @@ void SomLearner::begin(Form form) {
   form_ = form;
   if (form == Form::kProducts) map_ = std::make_unique<ProductLearner>(som_);
   if (form == Form::kSparse) map_ = std::make_unique<SparseLearner>(som_, *team_);
-  if (form == Form::kDense) map_ = std::make_unique<DenseMap>(som_, *team_);
+  if (form != Form::kDense) return;
+  if (learns_directly()) {
+    map_ = std::make_unique<DirectMap>(som_, *team_);
+  } else {
+    map_ = std::make_unique<DenseMap>(som_, *team_);
+  }
 }
 
 OnlineMap& SomLearner::map_for(const OnlineInput& input) {

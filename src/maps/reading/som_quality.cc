@@ -1,24 +1,23 @@
 #include "somato/maps/som_quality.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>
 
 #include "maps/reading/sample_reader.h"
+#include "maps/som/similarity_scores.h"
 #include "somato/core/check.h"
 
 namespace somato {
 namespace {
 
 double weight_distance(const Som& som, std::size_t a, std::size_t b) {
-  double sum = 0.0;
-  for (std::size_t d = 0; d < som.weights().columns(); ++d) {
-    const double difference = double{som.weights()(a, d)} - double{som.weights()(b, d)};
-    sum = std::fma(difference, difference, sum);
-  }
-  return std::sqrt(sum);
+  std::vector<float> of_a(som.weights().columns());
+  std::vector<float> of_b(of_a.size());
+  som.weights().copy_row(a, of_a);
+  som.weights().copy_row(b, of_b);
+  return distance_between(som.parameters().similarity, of_a, of_b);
 }
 
 }  // namespace

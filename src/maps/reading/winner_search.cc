@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/core/threads.h"
+#include "maps/reading/score_search.h"
 #include "maps/reading/screening_run.h"
 #include "somato/core/check.h"
 #include "somato/maps/som_training.h"
@@ -20,6 +21,13 @@ bool WinnerSearch::pays(const Som& som, const Samples& samples) {
 std::vector<Winners> WinnerSearch::find_all(const Som& som, const Samples& seen, bool two,
                                             std::size_t threads, bool skip) {
   std::vector<Winners> found(seen.count());
+  if (!follows_from_products(som.parameters().similarity)) {
+    const ScoreSearch search(som);
+    for_each_range(seen.count(), threads, [&](std::size_t begin, std::size_t end) {
+      search.find(seen, begin, two, std::span(found).subspan(begin, end - begin));
+    });
+    return found;
+  }
   if (pays(som, seen)) {
     const WinnerSearch search(som, threads);
     for_each_range(seen.count(), threads, [&](std::size_t begin, std::size_t end) {

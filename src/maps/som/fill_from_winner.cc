@@ -2,47 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "base/core/lanes.h"
+#include "base/core/threads.h"
+#include "maps/som/known_elements.h"
 #include "somato/core/check.h"
 #include "somato/core/matrix.h"
 
 namespace somato {
 namespace {
 
-std::vector<std::size_t> known_elements(std::span<const float> sample) {
-  std::vector<std::size_t> known;
-  for (std::size_t i = 0; i < sample.size(); ++i) {
-    if (!std::isnan(sample[i])) known.push_back(i);
-  }
-  return known;
+std::size_t winner_by_known(const Som& som, std::span<const float> sample,
+                            std::span<float> scores) {
+  const std::vector<KnownRun> runs = known_runs(sample);
+  const KnownScores known(sample, runs);
+  known.write(som.parameters().similarity, kernels::lanes(som.weights()), som.neurons(),
+              scores.data());
+  return known.winner(som, scores.first(som.neurons()));
 }
 
-std::size_t winner_by(const std::vector<std::size_t>& known, std::span<const float> sample,
-                      const Som& som) {
-  double least = std::numeric_limits<double>::infinity();
-  std::size_t winner = 0;
-  for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < known.size() && sum <= least; ++i) {
-      const double difference = double{sample[known[i]]} - double{som.weight(neuron, known[i])};
-      sum = std::fma(difference, difference, sum);
-    }
-    if (sum >= least) continue;
-    least = sum;
-    winner = neuron;
-  }
-  return winner;
-}
-
-void fill_from_winner(const Som& som, std::span<float> sample) {
-  const std::vector<std::size_t> known = known_elements(sample);
-  if (known.size() == sample.size()) return;
-  const std::size_t winner = winner_by(known, sample, som);
+void fill_from_winner(const Som& som, std::span<float> sample, std::span<float> scores) {
+  const auto is_missing = [](float value) { return std::isnan(value); };
+  if (std::none_of(sample.begin(), sample.end(), is_missing)) return;
+  const std::size_t winner = winner_by_known(som, sample, scores);
   for (std::size_t i = 0; i < sample.size(); ++i) {
-    if (std::isnan(sample[i])) sample[i] = som.weight(winner, i);
+    if (std::isnan(sample[i])) sample[i] = som.weights()(winner, i);
   }
 }
 
@@ -50,22 +37,40 @@ void fill_from_winner(const Som& som, std::span<float> sample) {
 
 Result<void> check_takes_incomplete(const Som& som) {
   const SomParameters& parameters = som.parameters();
-  const bool euclidean = parameters.similarity == Similarity::kEuclidean;
-  if (euclidean && !parameters.normalize_input.value_or(false)) return {};
+  const bool by_elements = parameters.similarity != Similarity::kDotProduct &&
+                           parameters.similarity != Similarity::kCosine;
+  if (by_elements && !parameters.normalize_input.value_or(false)) return {};
   return fail(ErrorKind::kUsage,
-              euclidean ? "the map scales rows to length 1, which missing values leave unknown"
-                        : "the map compares by inner products, which missing values leave unknown",
+              by_elements
+                  ? "the map scales rows to length 1, which missing values leave unknown"
+                  : "the map compares by inner products, which missing values leave unknown",
               {}, "use the means of the columns");
 }
 
 Samples filled_from_winners(const Som& som, const Samples& samples) {
   require(samples.size() == som.input_size(), "samples have as many elements as the map's inputs");
+  Som whole = som.elements().all() ? Som() : som;
+  whole.store_all();
+  const Som& searched = som.elements().all() ? som : whole;
   Matrix<float> rows(samples.count(), samples.size());
+  AlignedVector<float> scores(searched.weights().padded_rows());
   for (std::size_t i = 0; i < rows.rows(); ++i) {
     write_dense(samples[i], rows.row(i));
-    fill_from_winner(som, rows.row(i));
+    fill_from_winner(searched, rows.row(i), scores);
   }
   return Samples(std::move(rows));
+}
+
+std::vector<std::size_t> winners_by_known(const Som& som, const Samples& samples,
+                                          std::size_t threads) {
+  std::vector<std::size_t> winners(samples.count());
+  for_each_range(winners.size(), threads, [&](std::size_t begin, std::size_t end) {
+    AlignedVector<float> scores(som.weights().padded_rows());
+    for (std::size_t i = begin; i < end; ++i) {
+      winners[i] = winner_by_known(som, samples[i].values, scores);
+    }
+  });
+  return winners;
 }
 
 }  // namespace somato

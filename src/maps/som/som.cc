@@ -9,6 +9,7 @@
 #include "base/kernels/batch_kernels.h"
 #include "maps/grid/activity.h"
 #include "maps/som/product_reading.h"
+#include "maps/som/similarity_scores.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -52,6 +53,8 @@ Som::Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements ele
     : Som(std::move(parameters), std::move(weights)) {
   elements_ = std::move(elements);
   require(weights_.columns() == elements_.count(), "a map needs a weight for each stored element");
+  // The greatest difference may be that of an element that is not stored.
+  if (parameters_.similarity == Similarity::kChebyshev) store_all();
 }
 
 Som::Som(SomParameters parameters, const Matrix<float>& weights,
@@ -111,17 +114,28 @@ std::span<const float> Som::prepare(const SignalView& input, SomWorkspace& works
   workspace.left_out_ = 0.0;
   if (!input.sparse && !normalize && elements_.all()) return input.values;
   workspace.input_.resize(elements_.count());
-  workspace.left_out_ = elements_.gather(input, workspace.input_, input_factor(input));
+  const double factor = input_factor(input);
+  workspace.left_out_ = elements_.gather(input, workspace.input_, factor);
+  if (parameters_.similarity == Similarity::kManhattan) {
+    workspace.left_out_ = elements_.magnitude_of_others(input, factor);
+  }
   return workspace.input_;
 }
 
-// Squared distances or inner products: what decides the winner.
+// Squared distances, inner products or other scores: what decides the winner.
 std::span<const float> Som::scores(const SignalView& input, SomWorkspace& workspace) const {
   return scores_of(prepare(input, workspace), workspace);
 }
 
 std::span<const float> Som::scores_of(std::span<const float> x, SomWorkspace& workspace) const {
   workspace.scores_.resize(weights().padded_rows());
+  if (!follows_from_products(parameters_.similarity)) {
+    const float* const input = x.data();
+    float* const out = workspace.scores_.data();
+    SimilarityScores(parameters_.similarity, kernels::lanes(weights()), neurons())
+        .write({&input, 1}, {&out, 1});
+    return {out, neurons()};
+  }
   const auto& kernels = kernels::table<float>();
   const auto compute = parameters_.similarity == Similarity::kEuclidean ? kernels.squared_distances
                                                                         : kernels.inner_products;
@@ -162,6 +176,9 @@ std::span<const float> Som::ascending_scores_of(std::span<const float> prepared,
 // double precision: the error of each is at most `rounding` of the squared distance, which is a sum
 // of positive terms, or of |x| |w|, with |w| = 1 in a dot-product map.
 float Som::score_margin(float least, std::span<const float> prepared) const {
+  if (!follows_from_products(parameters_.similarity)) {
+    return static_cast<float>(somato::score_margin(parameters_.similarity, least, prepared));
+  }
   const auto columns = static_cast<double>(elements_.count());
   constexpr auto kChunk = static_cast<double>(kernels::kChunk);
   const double rounding = (std::min(columns, kChunk) + columns / kChunk + 4.0) * 0x1p-24;
@@ -173,9 +190,13 @@ float Som::score_margin(float least, std::span<const float> prepared) const {
   return static_cast<float>(2.5 * rounding * scale);
 }
 
-// Scores in single precision select candidates, scores in double precision decide among them.
 Winners Som::best_of(std::span<const float> prepared, bool two, SomWorkspace& workspace) const {
-  const std::span<const float> scores = ascending_scores_of(prepared, workspace);
+  return decide(ascending_scores_of(prepared, workspace), prepared, two, workspace);
+}
+
+// Scores in single precision select candidates, scores in double precision decide among them.
+Winners Som::decide(std::span<const float> scores, std::span<const float> prepared, bool two,
+                    SomWorkspace& workspace) const {
   const std::size_t blocks = weights().blocks();
   const auto& kernels = kernels::batch_table();
   float last = kernels.least(scores.data(), blocks);
@@ -196,10 +217,8 @@ double Som::exact_score(std::span<const float> prepared, std::size_t neuron,
                         SomWorkspace& workspace) const {
   workspace.row_.resize(elements_.count());
   weights().copy_row(neuron, workspace.row_);
-  const auto& kernels = kernels::batch_table();
-  return parameters_.similarity == Similarity::kEuclidean
-             ? kernels.squared_distance(workspace.row_.data(), prepared.data(), prepared.size())
-             : -kernels.inner_product(workspace.row_.data(), prepared.data(), prepared.size());
+  return somato::exact_score(parameters_.similarity, workspace.row_.data(), prepared.data(),
+                             prepared.size());
 }
 
 std::size_t Som::winner_among(std::span<const std::size_t> candidates, const SignalView& input,
@@ -211,9 +230,17 @@ std::size_t Som::winner_among(std::span<const std::size_t> candidates, const Sig
 
 // In the place of the scores.
 void Som::find_similarities(const SignalView& input, SomWorkspace& workspace) const {
-  scores(input, workspace);
+  const std::span<const float> all = scores(input, workspace);
   if (parameters_.similarity == Similarity::kDotProduct) return;
-  similarities_of_squares(workspace.scores_, workspace.left_out_);
+  if (parameters_.similarity == Similarity::kEuclidean) {
+    similarities_of_squares(workspace.scores_, workspace.left_out_);
+    return;
+  }
+  const DistanceOfScore distance(parameters_.similarity, prepare(input, workspace),
+                                 workspace.left_out_);
+  std::transform(all.begin(), all.end(), workspace.scores_.begin(), [&](float score) {
+    return static_cast<float>(1.0 / (1.0 + distance(double{score})));
+  });
 }
 
 void Som::similarities(const SignalView& input, SomWorkspace& workspace,
@@ -233,6 +260,11 @@ void Som::activity(const SignalView& input, SomWorkspace& workspace, std::span<f
 double Som::distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const {
   const std::span<const float> x = prepare(input, workspace);
   const LaneMatrix<float>& weights = this->weights();
+  if (!follows_from_products(parameters_.similarity)) {
+    workspace.row_.resize(x.size());
+    weights.copy_row(neuron, workspace.row_);
+    return distance_between(parameters_.similarity, workspace.row_, x, workspace.left_out_);
+  }
   double sum = workspace.left_out_;
   for (std::size_t d = 0; d < x.size(); ++d) {
     const double difference = double{x[d]} - double{weights(neuron, d)};

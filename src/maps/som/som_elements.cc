@@ -95,6 +95,15 @@ double StoredElements::gather(const SignalView& signal, std::span<float> out, do
   return others;
 }
 
+double StoredElements::magnitude_of_others(const SignalView& signal, double factor) const {
+  if (all()) return 0.0;
+  double others = 0.0;
+  split(
+      listed_, signal, [](std::size_t /*place*/, float /*value*/) {},
+      [&](float value) { others += std::fabs(double{static_cast<float>(value * factor)}); });
+  return others;
+}
+
 Samples StoredElements::gather(const Samples& samples) const {
   constexpr std::size_t kEmptyEnough = 16;  // what a sparse value costs more than a dense one
   std::vector<Signal> gathered;

@@ -2,12 +2,14 @@
 #include "base/core/lanes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "base/core/threads.h"
 #include "base/kernels/batch_kernels.h"
 #include "maps/grid/neighbourhood_mixing.h"
 #include "maps/reading/winner_search.h"
+#include "maps/som/fill_from_winner.h"
 #include "maps/som/initial_weights.h"
 #include "maps/som/map_rows.h"
 #include "somato/maps/som_training.h"
@@ -19,16 +21,19 @@ constexpr double kLeastReach = 0x1p-1000;
 
 }  // namespace
 
-BatchEpoch::BatchEpoch(Som& som, const SumScales& scales, std::size_t threads)
+BatchEpoch::BatchEpoch(Som& som, const SumScales& scales, std::size_t threads, bool incomplete)
     : som_(som),
       threads_(threads),
       scales_(scales),
-      sums_(som.elements().count() + 1, som.neurons()) {
+      sums_(som.elements().count() + 1, som.neurons()),
+      known_(incomplete ? som.elements().count() : 0, incomplete ? som.neurons() : 0) {
   weights_to_change(som);  // before threads read them
 }
 
 std::vector<std::size_t> BatchEpoch::add(const Samples& seen) {
-  std::vector<std::size_t> winners = winners_of_seen(som_, seen, threads_);
+  const bool incomplete = known_.rows() > 0;
+  std::vector<std::size_t> winners =
+      incomplete ? winners_by_known(som_, seen, threads_) : winners_of_seen(som_, seen, threads_);
   for (const std::size_t winner : winners) ++sums_(som_.elements().count(), winner);
   if (seen.is_sparse()) {
     for (std::size_t i = 0; i < seen.count(); ++i) {
@@ -43,7 +48,11 @@ std::vector<std::size_t> BatchEpoch::add(const Samples& seen) {
   for_each_range((seen.size() + kDoubleLanes - 1) / kDoubleLanes, threads_,
                  [&](std::size_t begin, std::size_t end) {
                    for (std::size_t block = begin; block < end; ++block) {
-                     add_block(seen, winners, block);
+                     if (incomplete) {
+                       add_known(seen, winners, block);
+                     } else {
+                       add_block(seen, winners, block);
+                     }
                    }
                  });
   return winners;
@@ -62,6 +71,20 @@ void BatchEpoch::add_block(const Samples& samples, const std::vector<std::size_t
   for (std::size_t i = 0; i < samples.count(); ++i) {
     for (std::size_t d = first; d < samples.size(); ++d) {
       sums[winners[i] * kDoubleLanes + d - first] += scales_.integer(d, samples[i].values[d]);
+    }
+  }
+}
+
+void BatchEpoch::add_known(const Samples& samples, const std::vector<std::size_t>& winners,
+                           std::size_t block) {
+  const std::size_t first = block * kDoubleLanes;
+  const std::size_t end = std::min(first + kDoubleLanes, samples.size());
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    const std::span<const float> values = samples[i].values;
+    for (std::size_t d = first; d < end; ++d) {
+      if (std::isnan(values[d])) continue;
+      sums_(d, winners[i]) += scales_.integer(d, values[d]);
+      ++known_(d, winners[i]);
     }
   }
 }
@@ -89,6 +112,14 @@ class BatchEpoch::Means {
     return mixed_;
   }
 
+  // The numbers of samples that know the elements.
+  std::span<const double> of_known(std::size_t block) {
+    const std::int64_t* const known = epoch_.known_.data() + block * numbers_.size();
+    for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i] = static_cast<double>(known[i]);
+    mixing_.apply(numbers_, mixed_, workspace_);
+    return mixed_;
+  }
+
  private:
   const BatchEpoch& epoch_;
   const NeighbourhoodMixing& mixing_;
@@ -112,9 +143,34 @@ void BatchEpoch::move_block(std::size_t block, std::span<const double> sums,
   }
 }
 
+// The same, each element by the samples that know it.
+void BatchEpoch::move_known(std::size_t block, std::span<const double> sums,
+                            std::span<const double> totals) {
+  const std::size_t first = block * kDoubleLanes;
+  const std::size_t count = std::min(kDoubleLanes, som_.elements().count() - first);
+  LaneMatrix<float>& weights = weights_to_change(som_);
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double total = totals[neuron * kDoubleLanes + i];
+      if (total < kLeastReach) continue;
+      weights(neuron, first + i) = static_cast<float>(sums[neuron * kDoubleLanes + i] / total);
+    }
+  }
+}
+
 void BatchEpoch::finish(double radius) {
   const NeighbourhoodMixing mixing(som_.grid(), som_.parameters().neighbourhood, radius);
   const std::size_t elements = som_.elements().count();
+  if (known_.rows() > 0) {
+    for_each_range(known_.blocks(), threads_, [&](std::size_t begin, std::size_t end) {
+      Means means(*this, mixing);
+      Means known(*this, mixing);
+      for (std::size_t block = begin; block < end; ++block) {
+        move_known(block, means.of_block(block), known.of_known(block));
+      }
+    });
+    return;
+  }
   std::vector<double> totals(som_.neurons());
   Means counts(*this, mixing);
   const std::span<const double> last = counts.of_block(elements / kDoubleLanes);

@@ -20,8 +20,10 @@ namespace somato {
 /// division into parts and number of threads. Refers to the map, which changes at the end.
 class BatchEpoch {
  public:
-  /// `scales` are those of all samples of the epoch as the map sees them.
-  BatchEpoch(Som& som, const SumScales& scales, std::size_t threads);
+  /// `scales` are those of all samples of the epoch as the map sees them. With `incomplete`,
+  /// elements of dense samples may be missing (NaN): the mean of each element is then that of the
+  /// samples that know it; without one in its neighbourhood a weight stays as it is.
+  BatchEpoch(Som& som, const SumScales& scales, std::size_t threads, bool incomplete = false);
 
   /// Finds the winners of samples as the map sees them (seen_samples()), which have non-zeros only
   /// where the map has weights (see Som::store_all()), and takes them into the means. Returns the
@@ -39,13 +41,17 @@ class BatchEpoch {
 
   void add_block(const Samples& samples, const std::vector<std::size_t>& winners,
                  std::size_t block);
+  void add_known(const Samples& samples, const std::vector<std::size_t>& winners,
+                 std::size_t block);
   void move_block(std::size_t block, std::span<const double> sums, std::span<const double> totals);
+  void move_known(std::size_t block, std::span<const double> sums, std::span<const double> totals);
 
   Som& som_;
   std::size_t threads_;
   const SumScales& scales_;
   // Elements and a last row of counts by winner: the sums of its samples.
   LaneMatrix<std::int64_t> sums_;
+  LaneMatrix<std::int64_t> known_;  // elements by winner: samples that know it; or empty
 };
 
 /// A whole epoch on `samples`. The map gets weights for all elements when the samples have one that

@@ -18,6 +18,12 @@ void to_length_one(std::span<double> values) {
   for (double& value : values) value /= std::sqrt(sum);
 }
 
+double product(std::span<const double> a, std::span<const double> b) {
+  double sum = 0.0;
+  for (std::size_t d = 0; d < a.size(); ++d) sum += a[d] * b[d];
+  return sum;
+}
+
 }  // namespace
 
 ReferenceSom::ReferenceSom(SomParameters parameters, Matrix<double> weights)
@@ -51,12 +57,19 @@ ReferenceSom ReferenceSom::trained(const SomParameters& parameters, const Sample
 }
 
 double ReferenceSom::score(std::span<const double> input, std::size_t neuron) const {
+  switch (parameters_.similarity) {
+    case Similarity::kEuclidean:
+      break;
+    case Similarity::kDotProduct:
+      return product(input, weights_.row(neuron));
+    case Similarity::kManhattan:
+    case Similarity::kCosine:
+    case Similarity::kChebyshev:
+      return distance(input, neuron);
+  }
   const auto w = weights_.row(neuron);
   double sum = 0.0;
-  for (std::size_t d = 0; d < input.size(); ++d) {
-    sum += parameters_.similarity == Similarity::kEuclidean ? (input[d] - w[d]) * (input[d] - w[d])
-                                                            : input[d] * w[d];
-  }
+  for (std::size_t d = 0; d < input.size(); ++d) sum += (input[d] - w[d]) * (input[d] - w[d]);
   return sum;
 }
 
@@ -64,7 +77,7 @@ std::size_t ReferenceSom::winner(std::span<const double> input) const {
   std::size_t best = 0;
   for (std::size_t neuron = 1; neuron < weights_.rows(); ++neuron) {
     const double difference = score(input, neuron) - score(input, best);
-    if (parameters_.similarity == Similarity::kEuclidean ? difference < 0 : difference > 0) {
+    if (parameters_.similarity == Similarity::kDotProduct ? difference > 0 : difference < 0) {
       best = neuron;
     }
   }
@@ -83,18 +96,30 @@ double ReferenceSom::neighbourhood(std::size_t winner, std::size_t neuron, doubl
 
 double ReferenceSom::distance(std::span<const double> input, std::size_t neuron) const {
   const auto w = weights_.row(neuron);
+  if (parameters_.similarity == Similarity::kCosine) {
+    const double lengths = std::sqrt(product(input, input)) * std::sqrt(product(w, w));
+    return lengths == 0.0 ? 1.0 : 1.0 - product(input, w) / lengths;
+  }
   double sum = 0.0;
-  for (std::size_t d = 0; d < input.size(); ++d) sum += (input[d] - w[d]) * (input[d] - w[d]);
-  return std::sqrt(sum);
+  double most = 0.0;
+  double squares = 0.0;
+  for (std::size_t d = 0; d < input.size(); ++d) {
+    const double apart = std::fabs(input[d] - w[d]);
+    sum += apart;
+    most = std::max(most, apart);
+    squares += apart * apart;
+  }
+  if (parameters_.similarity == Similarity::kManhattan) return sum;
+  return parameters_.similarity == Similarity::kChebyshev ? most : std::sqrt(squares);
 }
 
 std::vector<double> ReferenceSom::activity(std::span<const double> input) const {
   const double m = parameters_.softmax_exponent;
   std::vector<double> activity;
   for (std::size_t neuron = 0; neuron < weights_.rows(); ++neuron) {
-    const double similarity = parameters_.similarity == Similarity::kEuclidean
-                                  ? 1.0 / (1.0 + distance(input, neuron))
-                                  : std::max(0.0, score(input, neuron));
+    const double similarity = parameters_.similarity == Similarity::kDotProduct
+                                  ? std::max(0.0, score(input, neuron))
+                                  : 1.0 / (1.0 + distance(input, neuron));
     activity.push_back(parameters_.softmax == Softmax::kPower ? power(similarity, m)
                                                               : exponential(m * similarity));
   }

@@ -27,8 +27,8 @@ class ReferenceSom {
 
   const Matrix<double>& weights() const { return weights_; }
 
-  /// The quantity that determines the winner: the squared distance (minimum) or the inner product
-  /// (maximum).
+  /// The quantity that determines the winner: the squared Euclidean distance or another distance
+  /// (minimum), or the inner product (maximum).
   double score(std::span<const double> input, std::size_t neuron) const;
 
   std::size_t winner(std::span<const double> input) const;

@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "maps/products/product_weights.h"
+#include "maps/som/fill_from_winner.h"
 #include "maps/som/som_preparation.h"
 #include "maps/som/stop.h"
 #include "maps/training/batch_training.h"
 #include "maps/training/som_start.h"
 #include "maps/training/source_preparation.h"
 #include "maps/training/training_checkpoint.h"
+#include "somato/core/check.h"
 #include "somato/maps/som_learner.h"
 
 namespace somato {
@@ -70,7 +72,7 @@ Result<void> train_online(SomStart& start, const TrainingOptions& options) {
   if (start.som.neurons() > kManyNeurons && stop.after(0)) return Stop::error();
   const Moments moments(options.observer, start.som, total);
   DrawSequence draws(p.draws, start.training.size(), p.seed);
-  SomLearner learner(start.som, options.threads);
+  SomLearner learner(start.som, options.threads, options.incomplete != nullptr);
   std::vector<std::size_t> drawn;
   std::vector<LearningStep> steps;
   for (std::uint64_t t = 0; t < total;) {
@@ -81,7 +83,7 @@ Result<void> train_online(SomStart& start, const TrainingOptions& options) {
       drawn.push_back(start.training[draws.next()]);
       steps.push_back({p.learning_rate().at(t), p.radius().at(t)});
     }
-    learner.learn(start.samples, drawn, steps);
+    learner.learn(options.incomplete ? *options.incomplete : start.samples, drawn, steps);
     const auto map = [&] { return start.whole(learner.look()); };
     if (stop.after(t) ||
         moments.stop_after(t, steps.back().learning_rate, steps.back().radius, map)) {
@@ -96,7 +98,7 @@ Result<void> train_epoch(Som& som, SampleSource& prepared, std::uint64_t epoch,
                          const SampleSurvey& survey, const TrainingOptions& options,
                          const Stop& stop) {
   const SumScales scales(survey.count, survey.low, survey.high);
-  BatchEpoch training(som, scales, options.threads);
+  BatchEpoch training(som, scales, options.threads, options.incomplete != nullptr);
   std::uint64_t done = epoch * survey.parts;
   const auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
     training.add(part);
@@ -207,7 +209,9 @@ Result<void> train(SomStart& start, const TrainingOptions& options) {
   if (start.som.products()) return train_batch_by_products(start.som, options);
   SamplesInMemory source(start.samples);
   SOMATO_TRY(const auto survey, survey_samples(source, nullptr));
-  return train_batch(start, source, survey, options);
+  if (!options.incomplete) return train_batch(start, source, survey, options);
+  SamplesInMemory incomplete(*options.incomplete);
+  return train_batch(start, incomplete, survey, options);
 }
 
 Result<SomParameters> resolve_for(const SomParameters& parameters, const SampleSurvey& survey) {
@@ -228,10 +232,31 @@ Result<Som> train_on_prepared(const SomParameters& parameters, SampleSource& pre
   return std::move(start.som);
 }
 
+Result<void> check_plain(const SomParameters& parameters) {
+  if (parameters.arithmetic != Arithmetic::kInnerProducts) return {};
+  return fail(ErrorKind::kUsage, "inner products are not known of samples with missing elements",
+              "arithmetic", "set 'arithmetic' to plain or leave it out");
+}
+
+Result<Som> train_on_incomplete(SomParameters parameters, const Samples& samples,
+                                const TrainingOptions& options) {
+  require(options.incomplete->count() == samples.count() &&
+              options.incomplete->size() == samples.size() && !samples.is_sparse() &&
+              !options.incomplete->is_sparse() && !options.training,
+          "incomplete samples are dense and as many as the complete ones");
+  SOMATO_TRY_VOID(check_plain(parameters));
+  parameters.arithmetic = Arithmetic::kPlain;
+  SOMATO_TRY(auto start, start_som(parameters, samples, options));
+  SOMATO_TRY_VOID(check_takes_incomplete(start.som));
+  SOMATO_TRY_VOID(train(start, options));
+  return start.whole(std::move(start.som));
+}
+
 }  // namespace
 
 Result<Som> train_som(const SomParameters& parameters, const Samples& samples,
                       const TrainingOptions& options) {
+  if (options.incomplete) return train_on_incomplete(parameters, samples, options);
   SOMATO_TRY(auto start, start_som(parameters, samples, options));
   SOMATO_TRY_VOID(train(start, options));
   return start.whole(std::move(start.som));

@@ -91,7 +91,7 @@ ChannelPlanes input_planes(const System& system, std::size_t input, const Som& s
 
 bool keeps_units(const Som& som) {
   const SomParameters& p = som.parameters();
-  return p.similarity == Similarity::kEuclidean && !p.normalize_input.value_or(false);
+  return p.similarity != Similarity::kDotProduct && !p.normalize_input.value_or(false);
 }
 
 }  // namespace

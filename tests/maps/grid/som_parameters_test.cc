@@ -89,6 +89,22 @@ TEST(SomParameters, EveryDeclaredParameterCanBeSetAndReadBack) {
   EXPECT_EQ(p.learning_rate_end, 0.25);
 }
 
+// Only distances that follow from inner products can be computed with them.
+TEST(SomParameters, RefuseInnerProductsForOtherDistances) {
+  for (const auto& [similarity, name] : Choices<Similarity>::all()) {
+    SomParameters parameters;
+    parameters.similarity = similarity;
+    const bool follows = name == "euclidean" || name == "dot_product";
+    EXPECT_EQ(resolve(parameters, 30, 270000).value().arithmetic,
+              follows ? Arithmetic::kInnerProducts : Arithmetic::kPlain)
+        << name;
+    parameters.arithmetic = Arithmetic::kInnerProducts;
+    const auto resolved = resolve(parameters, 30, 270000);
+    EXPECT_EQ(resolved.has_value(), follows) << name;
+    if (!follows) EXPECT_EQ(resolved.error().kind, ErrorKind::kUsage) << name;
+  }
+}
+
 SomParameters automatic() {
   SomParameters parameters;
   parameters.rows.reset();

@@ -42,7 +42,7 @@ TEST(ProductLearner, LearnsAndAnswersAsPlainArithmetic) {
   Random random(81);
   int steps = 0;
   for (int round = 0; round < 6; ++round) {
-    for (const testing::Variant& variant : testing::all_variants()) {
+    for (const testing::Variant& variant : testing::variants_by_products()) {
       const Samples samples =
           testing::random_samples(5, 30 + random.below(30), random.below(2) == 0, random);
       SomParameters p = random_problem(variant, random);

@@ -51,7 +51,7 @@ template <typename Work>
 void for_each_product_problem(std::uint64_t seed, int rounds, const Work& work) {
   Random random(seed);
   for (int round = 0; round < rounds; ++round) {
-    for (const testing::Variant& variant : testing::all_variants()) {
+    for (const testing::Variant& variant : testing::variants_by_products()) {
       const WeightsProblem problem = random_product_problem(variant, random);
       SCOPED_TRACE(problem.name);
       work(problem, random);

@@ -35,6 +35,9 @@ Matrix<float> clusters(std::size_t rows, std::size_t columns, Random& random) {
   return values;
 }
 
+constexpr Similarity kDistances[] = {Similarity::kEuclidean, Similarity::kManhattan,
+                                     Similarity::kCosine, Similarity::kChebyshev};
+
 SomParameters parameters_of(std::size_t rows, std::size_t columns, Similarity similarity) {
   SomParameters parameters;
   parameters.rows = rows;
@@ -57,7 +60,7 @@ Winners obvious_winners(const Som& som, const SignalView& sample) {
   write_dense(sample, dense);
   const std::vector<double> input(dense.begin(), dense.end());
   std::vector<std::pair<double, std::size_t>> scores;
-  const double sign = som.parameters().similarity == Similarity::kEuclidean ? 1.0 : -1.0;
+  const double sign = som.parameters().similarity == Similarity::kDotProduct ? -1.0 : 1.0;
   for (std::size_t k = 0; k < som.neurons(); ++k) {
     scores.emplace_back(sign * reference.score(input, k), k);
   }
@@ -92,8 +95,8 @@ void expect_obvious_winners(const Som& som, const Samples& samples, const std::s
 
 TEST(WinnerSearchThreads, FindsTheTrueWinnersOfNoise) {
   Random random(1);
-  for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
-    for (const std::size_t columns : {1U, 2U, 31U, 64U}) {
+  for (const Similarity similarity : testing::all_similarities()) {
+    for (const std::size_t columns : {1U, 2U, 31U, 64U, 300U}) {
       Matrix<float> weights = noise(15 * 13, columns, 1.0, random);
       if (similarity == Similarity::kDotProduct) {
         for (std::size_t k = 0; k < weights.rows(); ++k) normalize_length(weights.row(k));
@@ -115,8 +118,11 @@ TEST(WinnerSearchThreads, FindsTheTrueWinnersAmongNeighboursThatAreNearlyTheSame
                       1e-7F * static_cast<float>(random.uniform());
     }
   }
-  const Som som(parameters_of(20, 20, Similarity::kEuclidean), weights);
-  expect_obvious_winners(som, Samples(noise(200, 12, 1.0, random)), "a smooth map");
+  const Samples samples(noise(200, 12, 1.0, random));
+  for (const Similarity similarity : kDistances) {
+    expect_obvious_winners(Som(parameters_of(20, 20, similarity), weights), samples,
+                           "a smooth map by " + choice_name(similarity));
+  }
 }
 
 // All neurons have nearly the same distance from each sample, so that integers cannot distinguish
@@ -131,8 +137,11 @@ TEST(WinnerSearchThreads, FindsTheTrueWinnersAmongNeuronsThatAreNearlyAsFar) {
     for (float& value : weights.row(k))
       value *= 1.0F + 1e-5F * static_cast<float>(random.uniform());
   }
-  const Som som(parameters_of(10, 10, Similarity::kEuclidean), weights);
-  expect_obvious_winners(som, Samples(noise(100, kColumns, 1e-4, random)), "a sphere");
+  const Samples samples(noise(100, kColumns, 1e-4, random));
+  for (const Similarity similarity : kDistances) {
+    expect_obvious_winners(Som(parameters_of(10, 10, similarity), weights), samples,
+                           "a sphere by " + choice_name(similarity));
+  }
 }
 
 TEST(WinnerSearchThreads, FindsTheTrueWinnersOfClustersWhileBlocksAreLeftOut) {
@@ -156,20 +165,25 @@ TEST(WinnerSearchThreads, TakesTheFirstOfEquals) {
     std::copy(row.begin(), row.end(), weights.row(k).begin());
   }
   const Samples samples(noise(70, 6, 1.0, random));
-  expect_obvious_winners(Som(parameters_of(24, 24, Similarity::kEuclidean), weights), samples,
-                         "three kinds of neurons");
   const Matrix<float> alike(24 * 24, 6, 0.25F);
-  expect_obvious_winners(Som(parameters_of(24, 24, Similarity::kEuclidean), alike), samples,
-                         "one kind of neuron");
+  for (const Similarity similarity : kDistances) {
+    expect_obvious_winners(Som(parameters_of(24, 24, similarity), weights), samples,
+                           "three kinds of neurons by " + choice_name(similarity));
+    expect_obvious_winners(Som(parameters_of(24, 24, similarity), alike), samples,
+                           "one kind of neuron by " + choice_name(similarity));
+  }
 }
 
 TEST(WinnerSearchThreads, FindsTheTrueWinnersAtAnyScaleAndDistance) {
   Random random(5);
   for (const double scale : {1e-14, 1e-3, 1e6, 1e15}) {
-    const Som som(parameters_of(10, 10, Similarity::kEuclidean), noise(100, 8, scale, random));
-    expect_obvious_winners(som, Samples(noise(80, 8, scale, random)), "scale");
-    expect_obvious_winners(som, Samples(noise(80, 8, 1000.0 * scale, random)), "far samples");
-    expect_obvious_winners(som, Samples(noise(80, 8, 0.001 * scale, random)), "near zero");
+    for (const Similarity similarity : kDistances) {
+      const Som som(parameters_of(10, 10, similarity), noise(100, 8, scale, random));
+      const std::string by = " by " + choice_name(similarity);
+      expect_obvious_winners(som, Samples(noise(80, 8, scale, random)), "scale" + by);
+      expect_obvious_winners(som, Samples(noise(80, 8, 1000.0 * scale, random)), "far" + by);
+      expect_obvious_winners(som, Samples(noise(80, 8, 0.001 * scale, random)), "near 0" + by);
+    }
   }
 }
 
@@ -179,8 +193,45 @@ TEST(WinnerSearchThreads, OneOutlierDoesNotHideTheOthers) {
   for (float& value : weights.row(77)) value = 1e7F;
   Matrix<float> samples = noise(100, 10, 1.0, random);
   for (float& value : samples.row(5)) value = -1e7F;
-  expect_obvious_winners(Som(parameters_of(12, 12, Similarity::kEuclidean), weights),
-                         Samples(std::move(samples)), "outliers");
+  for (const Similarity similarity : kDistances) {
+    expect_obvious_winners(Som(parameters_of(12, 12, similarity), weights), Samples(samples),
+                           "outliers by " + choice_name(similarity));
+  }
+}
+
+// Lengths whose squares, or whose products with a sample, leave the range of single precision.
+TEST(WinnerSearchThreads, FindsTheTrueWinnersByCosineOfWeightsOfAnyLength) {
+  Random random(9);
+  Matrix<float> weights = noise(10 * 10, 7, 1.0, random);
+  for (std::size_t k = 0; k < weights.rows(); ++k) {
+    constexpr float kLengths[] = {1e-24F, 1e-12F, 1.0F, 1e12F, 1e24F, 0.0F};
+    for (float& value : weights.row(k)) value *= kLengths[k % 6];
+  }
+  const Som som(parameters_of(10, 10, Similarity::kCosine), weights);
+  for (const double scale : {1e-24, 1e-9, 1.0, 1e9, 1e24, 0.0}) {
+    expect_obvious_winners(som, Samples(noise(70, 7, scale, random)), "lengths");
+  }
+}
+
+// Sparse samples have many elements without weights; a dense map with all of them finds the same.
+TEST(WinnerSearch, FindsTheWinnersOfSparseSamplesAmongStoredElements) {
+  Random random(10);
+  for (const Similarity similarity : kDistances) {
+    const SomParameters parameters = parameters_of(6, 6, similarity);
+    LaneMatrix<float> weights(36, 3);
+    for (std::size_t k = 0; k < 36; ++k) {
+      for (std::size_t d = 0; d < 3; ++d) weights(k, d) = static_cast<float>(random.normal());
+    }
+    const Som some(parameters, weights, StoredElements(40, {3, 17, 39}));
+    const Samples samples = testing::random_samples(90, 40, true, random);
+    const auto winners = winners_of(some, samples, 2);
+    SomWorkspace workspace;
+    for (std::size_t i = 0; i < samples.count(); ++i) {
+      const Winners expected = obvious_winners(some, samples[i]);
+      EXPECT_EQ(winners[i], expected.first) << choice_name(similarity);
+      EXPECT_EQ(some.winners(samples[i], workspace).second, expected.second);
+    }
+  }
 }
 
 TEST(WinnerSearch, SeesSamplesAsTheMapDoes) {

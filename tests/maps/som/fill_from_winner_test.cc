@@ -44,10 +44,14 @@ TEST(FillFromWinner, TakesTheFirstNeuronInATie) {
 // distance that these have.
 TEST(FillFromWinner, KeepsWinnerAndDistance) {
   Random random(2);
+  constexpr Similarity kByElements[] = {Similarity::kEuclidean, Similarity::kManhattan,
+                                        Similarity::kChebyshev};
   for (int repeat = 0; repeat < 300; ++repeat) {
+    SomParameters parameters;
+    parameters.similarity = kByElements[repeat % 3];
     Matrix<float> weights(6, 5);
     for (float& weight : weights.values()) weight = static_cast<float>(random.normal());
-    const Som som = map_of(weights);
+    const Som som = map_of(weights, parameters);
     std::vector<float> sample(5);
     for (float& value : sample) {
       value = random.below(2) ? kMissing : static_cast<float>(random.normal());
@@ -58,7 +62,10 @@ TEST(FillFromWinner, KeepsWinnerAndDistance) {
     for (std::size_t n = 0; n < 6; ++n) {
       double sum = 0.0;
       for (std::size_t d = 0; d < 5; ++d) {
-        if (!std::isnan(sample[d])) sum += std::pow(double{sample[d]} - double{weights(n, d)}, 2);
+        if (std::isnan(sample[d])) continue;
+        const double apart = std::fabs(double{sample[d]} - double{weights(n, d)});
+        sum = repeat % 3 == 0 ? sum + apart * apart
+                              : (repeat % 3 == 1 ? sum + apart : std::max(sum, apart));
       }
       if (sum < least) winner = n;
       least = std::min(least, sum);
@@ -66,19 +73,22 @@ TEST(FillFromWinner, KeepsWinnerAndDistance) {
     const Samples filled = filled_from_winners(som, Samples(Matrix<float>(1, 5, sample)));
     SomWorkspace workspace;
     ASSERT_EQ(som.winner(filled[0], workspace), winner);
-    ASSERT_NEAR(som.distance(filled[0], winner, workspace), std::sqrt(least), 1e-12);
+    ASSERT_NEAR(som.distance(filled[0], winner, workspace),
+                repeat % 3 == 0 ? std::sqrt(least) : least, 1e-12);
   }
 }
 
-TEST(FillFromWinner, IsForEuclideanMapsOfInputsAsTheyAre) {
+TEST(FillFromWinner, IsForDistancesOverElementsOfInputsAsTheyAre) {
   const Matrix<float> weights(2, 2, {1, 0, 0, 1});
   EXPECT_TRUE(check_takes_incomplete(map_of(weights)));
   SomParameters parameters;
   parameters.normalize_input = true;
   EXPECT_EQ(check_takes_incomplete(map_of(weights, parameters)).error().kind, ErrorKind::kUsage);
   parameters = {};
-  parameters.similarity = Similarity::kDotProduct;
-  EXPECT_EQ(check_takes_incomplete(map_of(weights, parameters)).error().kind, ErrorKind::kUsage);
+  for (const Similarity similarity : {Similarity::kDotProduct, Similarity::kCosine}) {
+    parameters.similarity = similarity;
+    EXPECT_EQ(check_takes_incomplete(map_of(weights, parameters)).error().kind, ErrorKind::kUsage);
+  }
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(ProductReading, IsNeverBelowADistanceOfZero) {
 
 TEST(ProductReading, AnswersAsTheMapItself) {
   Random random(61);
-  for (const testing::Variant& variant : testing::all_variants()) {
+  for (const testing::Variant& variant : testing::variants_by_products()) {
     const Som som = testing::trained_som(variant, 5, random);
     const Samples samples = testing::random_samples(20, 5, false, random);
     SomWorkspace workspace;

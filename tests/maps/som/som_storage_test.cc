@@ -87,8 +87,10 @@ TEST(SomStoredElements, TrainToTheSameBitsAsAllElements) {
   for_each_stored_problem(71, [](const StoredProblem& problem, Random& /*random*/) {
     const Som some = train_som(problem.parameters, problem.samples).value();
     const Som all = train_som(problem.parameters, dense_rows(problem.samples)).value();
-    EXPECT_FALSE(some.elements().all());
-    EXPECT_LE(some.weights().columns(), 12U);
+    // The greatest difference may be that of an element without a weight.
+    const bool chebyshev = problem.parameters.similarity == Similarity::kChebyshev;
+    EXPECT_EQ(some.elements().all(), chebyshev) << problem.name;
+    if (!chebyshev) EXPECT_LE(some.weights().columns(), 12U);
     expect_same_weights(some, all, problem.name);
     expect_same_weights(untrained_som(problem.parameters, problem.samples).value(),
                         untrained_som(problem.parameters, dense_rows(problem.samples)).value(),
@@ -99,6 +101,7 @@ TEST(SomStoredElements, TrainToTheSameBitsAsAllElements) {
 // The products of dense samples are summed in the same order.
 TEST(SomStoredElements, TrainByInnerProductsToTheSameBits) {
   for_each_stored_problem(72, [](StoredProblem problem, Random& /*random*/) {
+    if (!follows_from_products(problem.parameters.similarity)) return;
     problem.parameters.training = Training::kOnline;
     problem.parameters.arithmetic = Arithmetic::kInnerProducts;
     const Som some = train_som(problem.parameters, problem.samples).value();

@@ -34,8 +34,10 @@ Matrix<double> widened(const Matrix<float>& weights) {
 // the input's normalization, relative to the sum of the terms' magnitudes.
 double score_bound(const SomParameters& p, std::span<const double> input,
                    std::span<const double> weights) {
-  double magnitude = 0.0;
+  double magnitude = follows_from_products(p.similarity) ? 0.0 : 2.0;
   for (std::size_t d = 0; d < input.size(); ++d) {
+    if (!follows_from_products(p.similarity)) magnitude += 2.0 * std::fabs(input[d] - weights[d]);
+    if (!follows_from_products(p.similarity)) continue;
     magnitude += p.similarity == Similarity::kEuclidean
                      ? (input[d] - weights[d]) * (input[d] - weights[d]) +
                            2.0 * std::fabs(input[d] * (input[d] - weights[d]))
@@ -77,7 +79,7 @@ TEST(Som, FindsTheSecondWinnerAsTheWinnerAmongTheOthers) {
   Random random(42);
   for (int i = 0; i < 1000; ++i) {
     const auto variants = testing::all_variants();
-    SomParameters p = testing::random_parameters(variants[random.below(16)], random);
+    SomParameters p = testing::random_parameters(variants[random.below(variants.size())], random);
     p = resolve(p, 1, 5).value();
     const Som som(p, random_weights(p.grid().size(), 5, false, random));
     const Samples samples = testing::random_samples(1, 5, false, random);
@@ -109,7 +111,7 @@ TEST(Som, HasTheActivityOfTheReference) {
   Random random(43);
   for (int i = 0; i < 2000; ++i) {
     const auto variants = testing::all_variants();
-    SomParameters p = testing::random_parameters(variants[random.below(16)], random);
+    SomParameters p = testing::random_parameters(variants[random.below(variants.size())], random);
     p.softmax = random.below(2) == 0 ? Softmax::kPower : Softmax::kExponential;
     p.activity_norm = random.below(2) == 0 ? ActivityNorm::kSum : ActivityNorm::kMaximum;
     p.softmax_exponent = static_cast<double>(1 + random.below(12));

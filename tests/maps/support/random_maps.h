@@ -18,18 +18,34 @@ struct Variant {
   NeighbourhoodShape neighbourhood;
 };
 
-/// All sixteen kinds.
+inline std::vector<Similarity> all_similarities() {
+  std::vector<Similarity> similarities;
+  for (const auto& [similarity, name] : Choices<Similarity>::all()) {
+    similarities.push_back(similarity);
+  }
+  return similarities;
+}
+
+/// All forty kinds.
 inline std::vector<Variant> all_variants() {
   std::vector<Variant> variants;
   for (const Lattice lattice : {Lattice::kRectangular, Lattice::kHexagonal}) {
     for (const Topology topology : {Topology::kPlane, Topology::kTorus}) {
-      for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kDotProduct}) {
+      for (const Similarity similarity : all_similarities()) {
         for (const auto shape : {NeighbourhoodShape::kGaussian, NeighbourhoodShape::kBubble}) {
           variants.push_back({lattice, topology, similarity, shape});
         }
       }
     }
   }
+  return variants;
+}
+
+/// The kinds that can train by inner products.
+inline std::vector<Variant> variants_by_products() {
+  std::vector<Variant> variants = all_variants();
+  std::erase_if(variants,
+                [](const Variant& variant) { return !follows_from_products(variant.similarity); });
   return variants;
 }
 

@@ -59,8 +59,8 @@ inline Matrix<double> widened(Som som) {
   return {weights.rows(), weights.columns(), {weights.values().begin(), weights.values().end()}};
 }
 
-inline SomParameters random_resolved(Random& random, std::size_t samples, std::size_t size) {
-  const auto variants = all_variants();
+inline SomParameters random_resolved(Random& random, std::size_t samples, std::size_t size,
+                                     const std::vector<Variant>& variants = all_variants()) {
   SomParameters p = random_parameters(variants[random.below(variants.size())], random);
   const auto& starts = Choices<InitialWeights>::all();
   p.initial_weights = starts[random.below(starts.size())].first;

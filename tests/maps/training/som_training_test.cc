@@ -51,7 +51,8 @@ TEST(SomTraining, ByInnerProductsIsPlainTrainingInDoublePrecision) {
     const std::size_t count = 2 + random.below(12);
     const std::size_t size = 20 + random.below(60);
     const Samples samples = testing::random_samples(count, size, random.below(2) == 0, random);
-    SomParameters p = testing::random_resolved(random, count, size);
+    SomParameters p =
+        testing::random_resolved(random, count, size, testing::variants_by_products());
     p.iterations = 100 + random.below(400);
     if (p.neighbourhood == NeighbourhoodShape::kBubble) {
       // The neurons of a bubble are updated equally until only rounding distinguishes them; with
@@ -134,7 +135,9 @@ TEST(SomTraining, GivesTheSameBitsForEveryNumberOfThreadsAndInstructionSet) {
   for (const Case& c : {Case{Training::kOnline, Arithmetic::kPlain},
                         Case{Training::kOnline, Arithmetic::kInnerProducts},
                         Case{Training::kBatch, Arithmetic::kPlain}}) {
-    for (const auto& variant : testing::all_variants()) {
+    for (const auto& variant : c.arithmetic == Arithmetic::kInnerProducts
+                                   ? testing::variants_by_products()
+                                   : testing::all_variants()) {
       SomParameters p = testing::random_parameters(variant, random);
       p.training = c.training;
       p.arithmetic = c.arithmetic;
