@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "flags/commands.h"
+#include "flags/memory_flag.h"
 #include "maps/reading/sample_reader.h"
 #include "som/column_report.h"
 #include "som/data.h"
 #include "som/map_and_rows.h"
-#include "som/memory_flag.h"
 #include "som/processes.h"
 #include "som/row_output.h"
 #include "som/winner_format.h"

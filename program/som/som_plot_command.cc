@@ -9,12 +9,13 @@
 #include "base/text/text.h"
 #include "flags/commands.h"
 #include "flags/layout_flag.h"
+#include "flags/memory_flag.h"
+#include "flags/neuron_flag.h"
 #include "maps/pictures/map_panels.h"
 #include "maps/pictures/weights_picture.h"
 #include "som/column_report.h"
 #include "som/data.h"
 #include "som/map_and_rows.h"
-#include "som/memory_flag.h"
 #include "som/processes.h"
 #include "somato/drawing/map_picture.h"
 
@@ -106,26 +107,6 @@ Result<void> check_ending(const std::string& output) {
                 "use the extension .svg; browsers and Inkscape convert it to other formats");
   }
   return {};
-}
-
-// --neuron: ROW,COLUMN from 1, or the number of a neuron of a graph.
-Result<std::size_t> chosen_neuron(const std::string& text, const Grid& grid) {
-  ParameterInfo info;
-  info.name = "neuron";
-  info.type = "list of integer";
-  info.range = Range::at_least(1);
-  std::vector<std::size_t> place;
-  const bool is_graph = grid.graph() != nullptr;
-  if (detail::Field<std::vector<std::size_t>>::read(info, value_from_text(info, text), place)) {
-    if (place.size() == 1 && is_graph) place.insert(place.begin(), 1);
-    const bool is_inside =
-        place.size() == 2 && place[0] <= grid.rows() && place[1] <= grid.columns();
-    if (is_inside) return (place[0] - 1) * grid.columns() + place[1] - 1;
-  }
-  return fail(
-      ErrorKind::kUsage, fmt::format("{} is not a neuron of the map", shown(text)), "--neuron",
-      is_graph ? fmt::format("use a number from 1 to {}", grid.columns())
-               : fmt::format("use ROW,COLUMN from 1,1 to {},{}", grid.rows(), grid.columns()));
 }
 
 Result<void> check_skin_flags(const Arguments& arguments) {

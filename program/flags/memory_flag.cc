@@ -1,4 +1,4 @@
-#include "som/memory_flag.h"
+#include "flags/memory_flag.h"
 
 #include <fmt/format.h>
 
@@ -10,14 +10,14 @@
 namespace somato::program {
 namespace {
 
-constexpr std::pair<std::string_view, double> kUnits[] = {{"B", 1.0},
-                                                          {"kB", 1e3},
-                                                          {"MB", 1e6},
-                                                          {"GB", 1e9},
-                                                          {"", 1.0},
-                                                          {"KiB", 1024.0},
-                                                          {"MiB", 1024.0 * 1024},
-                                                          {"GiB", 1024.0 * 1024 * 1024}};
+constexpr std::pair<std::string_view, double> kUnitsOfMemory[] = {{"B", 1.0},
+                                                                  {"kB", 1e3},
+                                                                  {"MB", 1e6},
+                                                                  {"GB", 1e9},
+                                                                  {"", 1.0},
+                                                                  {"KiB", 1024.0},
+                                                                  {"MiB", 1024.0 * 1024},
+                                                                  {"GiB", 1024.0 * 1024 * 1024}};
 
 Error no_amount(const std::string& text, const std::string& flag) {
   return {ErrorKind::kUsage, fmt::format("must be an amount of memory, not '{}'", text), flag,
@@ -33,7 +33,7 @@ Result<std::size_t> bytes_in(const std::string& text, const std::string& flag) {
   if (error != std::errc()) return fail(no_amount(text, flag));
   std::string_view unit(stop, static_cast<std::size_t>(end - stop));
   unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-  for (const auto& [name, bytes] : kUnits) {
+  for (const auto& [name, bytes] : kUnitsOfMemory) {
     constexpr double kMost = 1e18;
     if (unit != name) continue;
     if (number * bytes >= 1.0 && number * bytes <= kMost) {

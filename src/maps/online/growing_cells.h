@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/growing/growing_map.h"
+#include "maps/online/growing_map.h"
 
 namespace somato {
 

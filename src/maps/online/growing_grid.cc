@@ -1,4 +1,4 @@
-#include "maps/growing/growing_grid.h"
+#include "maps/online/growing_grid.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "maps/growing/growing_map.h"
+#include "maps/online/growing_map.h"
 
 #include <algorithm>
 #include <limits>

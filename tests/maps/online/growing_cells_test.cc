@@ -1,4 +1,4 @@
-#include "maps/growing/growing_cells.h"
+#include "maps/online/growing_cells.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "maps/growing/growing_when_required.h"
+#include "maps/online/growing_when_required.h"
 
 #include <algorithm>
 #include <cmath>
