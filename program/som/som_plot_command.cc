@@ -4,50 +4,25 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/files/whole_file.h"
 #include "base/text/text.h"
 #include "flags/commands.h"
 #include "flags/layout_flag.h"
 #include "maps/pictures/map_panels.h"
-#include "maps/pictures/weights_picture.h"
+#include "views/skins/weights_picture.h"
 #include "som/column_report.h"
 #include "som/data.h"
 #include "som/map_and_rows.h"
 #include "som/memory_flag.h"
+#include "som/plot_panels.h"
 #include "som/processes.h"
 #include "somato/drawing/map_picture.h"
+#include "terminal/picture_file.h"
 
 namespace somato::program {
 namespace {
 
 bool has_data(const Arguments& arguments) {
   return !data_files(arguments).empty();
-}
-
-const std::vector<std::string> kPanels{"u_matrix", "hits", "labels", "components"};
-
-// The panels that --panels names, or all possible ones.
-Result<std::vector<std::string>> chosen_panels(const Arguments& arguments) {
-  ParameterInfo info;
-  info.name = "panels";
-  info.type = "list of choice";
-  info.choices = kPanels;
-  if (!arguments.has("panels")) return kPanels;
-  const Value value = value_from_text(info, arguments.text("panels"));
-  std::vector<std::string> chosen;
-  for (const Value& item : std::get<Value::List>(value.content)) {
-    std::size_t choice = 0;
-    if (auto read = detail::read_choice(info, item, choice); !read) {
-      read.error().where = "--panels";
-      return fail(std::move(read.error()));
-    }
-    chosen.push_back(kPanels[choice]);
-  }
-  return chosen;
-}
-
-bool wants(const std::vector<std::string>& chosen, const std::string& panel) {
-  return std::find(chosen.begin(), chosen.end(), panel) != chosen.end();
 }
 
 Result<void> check_data_flags(const Arguments& arguments) {
@@ -59,52 +34,10 @@ Result<void> check_data_flags(const Arguments& arguments) {
   return {};
 }
 
-// Only panels named by --panels can be missing.
-Result<void> check_panels(const Arguments& arguments, const std::vector<std::string>& chosen) {
-  if (!arguments.has("panels")) return {};
-  const bool labelled = arguments.has("labels") || arguments.has("label-column");
-  if (wants(chosen, "hits") && !has_data(arguments)) {
-    return fail(ErrorKind::kUsage, "hits cannot be drawn without data", "--panels", "provide DATA");
-  }
-  if (wants(chosen, "labels") && !(labelled && has_data(arguments))) {
-    return fail(ErrorKind::kUsage, "labels cannot be drawn without labelled data", "--panels",
-                "use DATA with --labels or --label-column");
-  }
-  return {};
-}
-
-Result<void> add_data_panels(const MapAndRows& both, const std::vector<std::string>& chosen,
-                             std::vector<Panel>& panels) {
-  const Som& som = both.model.som;
-  SOMATO_TRY(auto quality, measure_rows(both.model, both.rows, 1));
-  if (wants(chosen, "hits")) panels.emplace_back(hits_panel(som.grid(), quality.hits));
-  if (!wants(chosen, "labels") || !both.rows.labelled()) return {};
-  LabelPanel panel;
-  panel.title = "Labels";
-  panel.grid = som.grid();
-  panel.class_names = both.rows.classes.names;
-  panel.winners = std::move(quality.winners);
-  panel.classes = both.rows.classes.of_sample;
-  panels.emplace_back(std::move(panel));
-  return {};
-}
-
 Result<MapAndRows> read_map_and_perhaps_rows(const Arguments& arguments) {
   if (has_data(arguments)) return read_map_and_rows(arguments);
   SOMATO_TRY(auto model, load_som_model(arguments.text("MAP")));
   return MapAndRows{std::move(model), {}};
-}
-
-// Pictures are always SVG: another file extension is a mistake.
-Result<void> check_ending(const std::string& output) {
-  const std::string ending = std::filesystem::path(output).extension().string();
-  for (const char* other : {".png", ".pdf", ".jpg", ".jpeg", ".eps"}) {
-    if (ending != other) continue;
-    return fail(ErrorKind::kUsage, fmt::format("the picture is SVG, not {}", ending.substr(1)),
-                output,
-                "use the extension .svg; browsers and Inkscape convert it to other formats");
-  }
-  return {};
 }
 
 // --neuron: ROW,COLUMN from 1, or the number of a neuron of a graph.
@@ -132,9 +65,9 @@ Result<void> check_skin_flags(const Arguments& arguments) {
   if (arguments.has("neuron") && !has_layout) {
     return fail(ErrorKind::kUsage, "has no effect without --layout", "--neuron", "add --layout");
   }
-  for (const std::string flag : {"panels", "components"}) {
-    if (!has_layout || !arguments.has(flag)) continue;
-    return fail(ErrorKind::kUsage, "has no effect on a picture of weights on a skin", "--" + flag,
+  for (const Flag& flag : plot_panel_flags()) {
+    if (!has_layout || !arguments.has(key_of(flag.name))) continue;
+    return fail(ErrorKind::kUsage, "has no effect on a picture of weights on a skin", flag.name,
                 "omit it, or --layout");
   }
   if (!has_layout || !has_data(arguments)) return {};
@@ -153,60 +86,46 @@ Result<void> plot_skin(const Arguments& arguments) {
   const std::string title = std::filesystem::path(arguments.text("MAP")).filename().string();
   SOMATO_TRY(const auto elements, inputs_on_skin(model.som, model.features, layout));
   SOMATO_TRY(const auto picture, draw_weights(model.som, elements, neuron, title));
-  return save_whole(arguments.text("output"), picture);
+  return save_picture(arguments.text("output"), picture);
 }
 
 Result<void> plot(const Arguments& arguments) {
   SOMATO_TRY_VOID(refuse_several_processes("som plot"));
-  SOMATO_TRY_VOID(check_ending(arguments.text("output")));
+  SOMATO_TRY_VOID(check_picture_ending(arguments.text("output")));
   SOMATO_TRY_VOID(check_skin_flags(arguments));
   SOMATO_TRY_VOID(check_data_flags(arguments));
   if (arguments.has("layout")) return plot_skin(arguments);
-  SOMATO_TRY(auto chosen, chosen_panels(arguments));
-  SOMATO_TRY(auto most, arguments.number("components", 0));
-  SOMATO_TRY_VOID(check_panels(arguments, chosen));
+  SOMATO_TRY(const auto choice, read_plot_choice(arguments));
   SOMATO_TRY(auto both, read_map_and_perhaps_rows(arguments));
-  const Som& som = both.model.som;
-  std::vector<Panel> panels;
-  if (wants(chosen, "u_matrix")) panels.emplace_back(u_matrix_panel(som));
-  if (has_data(arguments)) {
-    SOMATO_TRY_VOID(add_data_panels(both, chosen, panels));
-  }
-  if (wants(chosen, "components")) {
-    for (Panel& panel : component_panels(som, both.model.features, most.value_or(12))) {
-      panels.push_back(std::move(panel));
-    }
-  }
+  SOMATO_TRY(const auto panels, make_plot_panels(both, has_data(arguments), choice));
   if (panels.empty()) {
     return fail(ErrorKind::kUsage, "no panel can be drawn", "--panels",
                 "name a panel, or use --components above 0");
   }
   const std::string title = std::filesystem::path(arguments.text("MAP")).filename().string();
-  return save_whole(arguments.text("output"), draw_picture(title, caption_of(som.grid()), panels))
-      .map([&] {
-        if (has_data(arguments)) note_columns_and_filled(both.rows);
-      });
+  const std::string caption = caption_of(both.model.som.grid());
+  SOMATO_TRY_VOID(save_picture(arguments.text("output"), draw_picture(title, caption, panels)));
+  if (has_data(arguments)) note_columns_and_filled(both.rows);
+  return {};
 }
 
 }  // namespace
 
 Command som_plot_command() {
   std::vector<Flag> flags = data_flags();
-  flags.push_back(output_flag("-o,--output", "SVG file", true));
-  flags.push_back(
-      {"--panels",
-       fmt::format("Panels to draw, separated by commas: {}. Default: all possible with the data",
-                   fmt::join(kPanels, ", "))});
-  flags.push_back({"--components", "Maximum number of component planes. Default: 12"});
+  flags.push_back(output_flag(
+      "-o,--output", "Picture: SVG, or by the extension .png or .pdf, which Chromium draws", true));
+  for (Flag& flag : plot_panel_flags()) flags.push_back(std::move(flag));
   flags.push_back(layout_flag("on which the weights of each neuron are drawn instead of panels"));
   flags.push_back({"--neuron",
                    "With --layout: the only neuron to draw, as ROW,COLUMN from 1, or its number in "
                    "a map that grows"});
   flags.push_back(memory_flag());
   return {"som plot",
-          "Draw a map: U-matrix, hits, labels and component planes, or its weights on a skin",
+          "Draw a map: U-matrix, hits, classes, component planes, clusters, trajectories and more, or "
+          "its weights on a skin",
           {{"MAP", "A trained map", true},
-           data_positional("NPY file or text, as for training, for hits and labels", false)},
+           data_positional("NPY file or text, as for training, for hits, classes and trajectories", false)},
           std::move(flags),
           {},
           plot};

@@ -12,6 +12,7 @@
 #include "errors.h"
 #include "interrupts.h"
 #include "maps/pictures/cells.h"
+#include "maps/reading/principal_plane.h"
 #include "maps/som/sample_range.h"
 #include "maps/training/batch_training.h"
 #include "nanobind/stl/string.h"
@@ -224,6 +225,22 @@ nb::object Map::labelled_winners(const SampleRows& rows, std::size_t threads) co
   });
 }
 
+nb::object Map::positions(const SampleRows& rows) const {
+  check_rows(rows);
+  std::vector<double> coordinates;
+  coordinates.reserve(2 * rows.count());
+  unlocked([&](Interrupts& interrupts) {
+    const PrincipalPlane plane(model_.som);
+    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t /*first*/) {
+      for (const Position& at : plane.positions_of(model_.som, part)) {
+        coordinates.insert(coordinates.end(), {at.x, at.y});
+      }
+    });
+  });
+  const std::size_t shape[] = {rows.count(), 2};
+  return array_of(std::move(coordinates), shape);
+}
+
 nb::tuple Map::quality(const SampleRows& rows, std::size_t threads) const {
   check_rows(rows);
   SomQuality quality;
@@ -302,6 +319,7 @@ void bind_map(nb::module_& module) {
       .def("activity", &Map::activity, nb::arg("rows"), nb::arg("threads"))
       .def("classes", &Map::classes, nb::arg("rows"), nb::arg("threads"))
       .def("labelled_winners", &Map::labelled_winners, nb::arg("rows"), nb::arg("threads"))
+      .def("positions", &Map::positions, nb::arg("rows"))
       .def("quality", &Map::quality, nb::arg("rows"), nb::arg("threads"))
       .def("weights", &Map::weights)
       .def("u_matrix", &Map::u_matrix)

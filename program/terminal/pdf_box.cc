@@ -1,4 +1,4 @@
-#include "report/pdf_box.h"
+#include "terminal/pdf_box.h"
 
 #include <fmt/format.h>
 
