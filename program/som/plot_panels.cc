@@ -137,32 +137,6 @@ Result<std::pair<std::size_t, std::size_t>> row_range(const std::string& text) {
               "--trajectory", "use FIRST..LAST with numbers from 1, such as 13..24");
 }
 
-Result<Clusters> clusters_of(const Som& som, const std::string& text) {
-#if !__has_include("somato/maps/som_features.h")
-  (void)som;
-  return fail(ErrorKind::kUsage, text, "", "");
-#else
-  const std::size_t colon = text.find(':');
-  ClusterParameters parameters;
-  SOMATO_TRY(parameters.method, choice_named<ClusterMethod>("method of clustering",
-                                                           text.substr(0, colon), "--clusters"));
-  if (colon != std::string::npos) {
-    parameters.count = whole_number(std::string_view(text).substr(colon + 1));
-    if (!parameters.count || *parameters.count == 0) {
-      return fail(ErrorKind::kUsage,
-                  fmt::format("{} is not a number of clusters", shown(text.substr(colon + 1))),
-                  "--clusters", "use METHOD or METHOD:NUMBER, such as ward:4");
-    }
-  }
-  auto clusters = cluster_neurons(som, parameters);
-  if (!clusters) {
-    clusters.error().where = "--clusters";
-    return fail(std::move(clusters.error()));
-  }
-  return clusters;
-#endif
-}
-
 // What the rows contribute to panels.
 struct ReadRows {
   std::vector<std::size_t> hits;
@@ -203,7 +177,7 @@ class PanelMaker {
       SOMATO_TRY(rows_, read(both_, plane_ ? &*plane_ : nullptr));
     }
     if (!choice_.clusters.empty()) {
-      SOMATO_TRY(clusters_, clusters_of(som_, choice_.clusters));
+      SOMATO_TRY(clusters_, clusters_by_name(som_, choice_.clusters, "--clusters"));
     }
     for (const std::string& panel : choice_.panels) SOMATO_TRY_VOID(add(panel));
     if (!clusters_.of_neuron.empty()) {

@@ -81,6 +81,17 @@ void unlocked(const std::function<void(Interrupts&)>& work, nb::object progress 
   interrupts.throw_raised();
 }
 
+// The name of each neuron's class, or None.
+nb::list neuron_labels(const Map& map) {
+  nb::list names;
+  const SomModel& model = map.model();
+  for (std::size_t i = 0; i < model.labels.neurons(); ++i) {
+    const std::optional<std::size_t> label = model.labels[i];
+    names.append(label ? nb::cast(model.classes[*label]) : nb::none());
+  }
+  return names;
+}
+
 }  // namespace
 
 Map::Map(SomModel model) : model_(std::move(model)) {
@@ -330,6 +341,7 @@ void bind_map(nb::module_& module) {
       .def("offsets", &Map::offsets)
       .def("deviations", &Map::deviations)
       .def_prop_ro("features", [](const Map& map) { return map.model().features; })
+      .def_prop_ro("neuron_labels", &neuron_labels)
       .def_prop_ro("class_names", [](const Map& map) { return map.model().classes; })
       .def_prop_ro("input_size", [](const Map& map) { return map.model().som.input_size(); })
       .def(

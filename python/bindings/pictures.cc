@@ -123,6 +123,22 @@ nb::object plane(const Map& map, std::size_t element) {
   return array_of(component_plane(map.model().som, element));
 }
 
+/// The cluster of each neuron, and the linkage matrix or None.
+nb::tuple clusters_of(const Map& map, const std::string& method) {
+  const Clusters clusters = value_or_throw(clusters_by_name(map.model().som, method, "clusters"));
+  nb::object merges = nb::none();
+  if (!clusters.merges.empty() || map.model().som.neurons() == 1) {
+    std::vector<double> values;
+    for (const auto& [first, second, height, neurons] : clusters.merges) {
+      values.insert(values.end(), {static_cast<double>(first), static_cast<double>(second), height,
+                                   static_cast<double>(neurons)});
+    }
+    const std::size_t shape[] = {clusters.merges.size(), 4};
+    merges = array_of(std::move(values), shape);
+  }
+  return nb::make_tuple(integers(clusters.of_neuron), merges);
+}
+
 /// The corners of the cells with a value of an expanded U-matrix, in widths of a neuron's cell as
 /// Map::cells(), and their values.
 nb::tuple edge_cells(const Map& map) {
@@ -280,6 +296,8 @@ void bind_pictures(nb::module_& module) {
       .def("outline", &MapPicture::outline, nb::arg("clusters").noconvert())
       .def("svg", &MapPicture::svg, nb::arg("title"));
   module.def("component_plane", &plane, nb::arg("map"), nb::arg("element"));
+  module.attr("most_trajectory_samples") = kMostTrajectorySamples;
+  module.def("clusters", &clusters_of, nb::arg("map"), nb::arg("method"));
   module.def("edge_cells", &edge_cells, nb::arg("map"));
   module.def("outlines", &outlines_of, nb::arg("map"), nb::arg("clusters").noconvert());
   module.def("projection", &projection, nb::arg("map"));

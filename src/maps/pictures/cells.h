@@ -42,6 +42,9 @@ class Cells {
   /// The side of the greatest upright square within a cell, in pixels.
   double inner_side() const;
 
+  /// The size of the greatest upright rectangle within a cell that is as wide as the cell.
+  Point text_area() const;
+
   /// In pixels.
   Point centre(std::size_t neuron) const;
 

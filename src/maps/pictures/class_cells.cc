@@ -92,13 +92,14 @@ struct FittedText {
 
 // The greatest size at which the text fits into a cell, or nothing.
 std::optional<FittedText> fitted(const std::string& text, const Cells& cells) {
-  const double side = 0.94 * cells.inner_side();
+  const double width = 0.92 * cells.text_area().x;
+  const double height = 0.96 * cells.text_area().y;
   for (double size = kGreatestText; size >= kLeastText; size -= 0.5) {
-    const auto lines = lines_of(text, side, size);
+    const auto lines = lines_of(text, width, size);
     const bool is_narrow = std::all_of(lines.begin(), lines.end(), [&](const std::string& line) {
-      return text_width(line, size) <= side;
+      return text_width(line, size) <= width;
     });
-    if (is_narrow && real(lines.size()) * kCellLine * size <= side) return FittedText{size, lines};
+    if (is_narrow && real(lines.size()) * kCellLine * size <= height) return FittedText{size, lines};
   }
   return std::nullopt;
 }

@@ -145,6 +145,16 @@ bool has_numbers(const LabelPanel& panel, const Cells& cells) {
   return !fit_in_cells(names, cells);
 }
 
+// Cells with texts are larger if the names fit into larger ones.
+double pixels_of(const LabelPanel& panel) {
+  constexpr double kLargest = 1.6;
+  const double usual = cell_pixels(panel.grid);
+  for (double larger = 1.0; larger <= kLargest; larger += 0.1) {
+    if (!has_numbers(panel, Cells(panel.grid, larger * usual))) return larger * usual;
+  }
+  return usual;
+}
+
 // The texts of the classes in cells: their names or their numbers, counted from 1.
 std::vector<std::string> texts_of(const LabelPanel& panel, const Cells& cells) {
   const bool numbers = has_numbers(panel, cells);
@@ -241,7 +251,7 @@ LabelPanel clusters_panel(const Grid& grid, const std::vector<std::size_t>& clus
 
 PanelFrame frame_of(const LabelPanel& panel) {
   check(panel);
-  PanelFrame frame = make_frame(panel.title, panel.grid);
+  PanelFrame frame = make_frame(panel.title, panel.grid, pixels_of(panel));
   frame.foot_height = legend_of(panel, frame).height() + 6;
   add_note(frame, note_of(panel, frame.cells));
   return frame;

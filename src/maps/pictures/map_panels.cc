@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "base/text/text.h"
 #include "somato/core/check.h"
 #include "somato/core/parameter.h"
 #if __has_include("somato/maps/som_features.h")
@@ -170,6 +172,32 @@ TrajectoryPanel trajectory_panel(const Som& som, std::vector<std::size_t> winner
           .values = u_matrix(som),
           .winners = std::move(winners),
           .first_number = first_number};
+}
+
+Result<Clusters> clusters_by_name([[maybe_unused]] const Som& som, const std::string& text,
+                                  const std::string& where) {
+#if !__has_include("somato/maps/som_features.h")
+  return fail(ErrorKind::kUsage, text, where, "");
+#else
+  const std::size_t colon = text.find(':');
+  ClusterParameters parameters;
+  SOMATO_TRY(parameters.method, choice_named<ClusterMethod>("method of clustering",
+                                                           text.substr(0, colon), where));
+  if (colon != std::string::npos) {
+    const char* end = text.data() + text.size();
+    std::size_t count = 0;
+    const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, count);
+    if (error != std::errc() || rest != end || count == 0) {
+      return fail(ErrorKind::kUsage,
+                  fmt::format("{} is not a number of clusters", shown(text.substr(colon + 1))), where,
+                  "use METHOD or METHOD:NUMBER, such as ward:4");
+    }
+    parameters.count = count;
+  }
+  auto clusters = cluster_neurons(som, parameters);
+  if (!clusters) clusters.error().where = where;
+  return clusters;
+#endif
 }
 
 void outline(Panel& panel, const std::vector<std::size_t>& clusters) {

@@ -66,6 +66,12 @@ LabelPanel label_text_panel(const Grid& grid, const NeuronLabels& labels,
 TrajectoryPanel trajectory_panel(const Som& som, std::vector<std::size_t> winners,
                                  std::size_t first_number);
 
+/// The clusters of a map's neurons by METHOD or METHOD:NUMBER, such as "ward:4" (cluster_neurons()).
+/// Errors (kUsage), at `where`: an unknown method, a number that is not one, and those of
+/// cluster_neurons().
+Result<Clusters> clusters_by_name(const Som& som, const std::string& text,
+                                  const std::string& where);
+
 /// Sets the clusters that a panel outlines.
 void outline(Panel& panel, const std::vector<std::size_t>& clusters);
 

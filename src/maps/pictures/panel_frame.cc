@@ -20,16 +20,6 @@ constexpr std::size_t kMostNoteLines = 6;
 constexpr double kLeastWidth = 260.0;
 constexpr std::size_t kMostTooltips = 2500;
 
-// The width of a cell: maps are about 480 pixels long, but their cells can be seen and one is not a
-// poster.
-double cell_pixels(const Grid& grid) {
-  const std::size_t longest_side =
-      grid.graph() ? std::max(grid.graph()->extent().row, grid.graph()->extent().column)
-                   : std::max(grid.rows(), grid.columns());
-  const auto longest = static_cast<double>(longest_side);
-  return std::clamp(std::floor(kMapSide / longest), 5.0, 48.0);
-}
-
 std::string with_topology(const std::string& note, Topology topology) {
   if (topology == Topology::kPlane) return note;
   return (note.empty() ? "" : note + " ") + "A torus: opposite edges join.";
@@ -64,9 +54,21 @@ double PanelFrame::height() const {
   return foot_top() + foot_height + kNoteLine * static_cast<double>(note_lines.size());
 }
 
-PanelFrame make_frame(const std::string& title, const Grid& grid) {
+double cell_pixels(const Grid& grid) {
   require(grid.size() > 0, "a panel needs a grid with neurons");
-  const Cells cells(grid, cell_pixels(grid));
+  const std::size_t longest_side =
+      grid.graph() ? std::max(grid.graph()->extent().row, grid.graph()->extent().column)
+                   : std::max(grid.rows(), grid.columns());
+  const auto longest = static_cast<double>(longest_side);
+  return std::clamp(std::floor(kMapSide / longest), 5.0, 48.0);
+}
+
+PanelFrame make_frame(const std::string& title, const Grid& grid) {
+  return make_frame(title, grid, cell_pixels(grid));
+}
+
+PanelFrame make_frame(const std::string& title, const Grid& grid, double pixels) {
+  const Cells cells(grid, pixels);
   return {title, cells, cells.width(), cells.height(), std::max(cells.width(), kLeastWidth), 0.0,
           {}};
 }

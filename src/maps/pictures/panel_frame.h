@@ -31,6 +31,13 @@ struct PanelFrame {
 /// without neurons.
 PanelFrame make_frame(const std::string& title, const Grid& grid);
 
+/// The same with cells `pixels` wide.
+PanelFrame make_frame(const std::string& title, const Grid& grid, double pixels);
+
+/// The width of the cells of a panel, in pixels: maps are about kMapSide long, but their cells can
+/// be seen and one is not a poster.
+double cell_pixels(const Grid& grid);
+
 /// The frame of a drawing without cells.
 PanelFrame make_frame(const std::string& title, double width, double height);
 

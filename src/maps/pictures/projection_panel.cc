@@ -83,16 +83,21 @@ Edges edges_of(const ProjectionPanel& panel, const Scale& scale) {
   return edges;
 }
 
-double radius_for(const Edges& edges) {
-  constexpr double kLeast = 1.5;
-  constexpr double kGreatest = 6.5;
-  double sum = 0.0;
-  std::size_t count = 0;
+// By the lower quartile of the edges, so that circles seldom hide each other; larger if they have
+// numbers.
+double radius_for(const Edges& edges, bool has_numbers) {
+  const double greatest = has_numbers ? 6.0 : 4.0;
+  std::vector<double> lengths;
   for (const std::vector<Point>* ends : {&edges.inside, &edges.between}) {
-    for (std::size_t i = 0; i < ends->size(); i += 2) sum += distance((*ends)[i], (*ends)[i + 1]);
-    count += ends->size() / 2;
+    for (std::size_t i = 0; i < ends->size(); i += 2) {
+      lengths.push_back(distance((*ends)[i], (*ends)[i + 1]));
+    }
   }
-  return count == 0 ? kGreatest : std::clamp(0.3 * sum / real(count), kLeast, kGreatest);
+  if (lengths.empty()) return greatest;
+  std::sort(lengths.begin(), lengths.end());
+  const double quartile = lengths[lengths.size() / 4];
+  const double least = has_numbers && lengths.size() < 500 ? kLeastNumberedRadius : 1.5;
+  return std::clamp(0.35 * quartile, least, greatest);
 }
 
 void draw_edges(SvgWriter& svg, const Edges& edges, Point corner) {
@@ -193,7 +198,7 @@ void draw_panel(SvgWriter& svg, const PanelFrame& frame, const ProjectionPanel& 
   svg.close_group();
   draw_edges(svg, edges, corner);
   draw_samples(svg, panel, scale, corner);
-  draw_neurons(svg, panel, scale, radius_for(edges), corner);
+  draw_neurons(svg, panel, scale, radius_for(edges, !panel.clusters.empty()), corner);
   if (!panel.classes.empty()) {
     Legend(panel.class_names, frame.width).draw(svg, {0, frame.foot_top()});
   }

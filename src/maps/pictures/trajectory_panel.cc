@@ -199,11 +199,18 @@ std::string note_of(const TrajectoryPanel& panel) {
   const auto distinct = std::unique(neurons.begin(), neurons.end()) - neurons.begin();
   const std::size_t last = panel.first_number + panel.winners.size() - 1;
   const std::size_t steps = visits_of(panel.winners).size() - 1;
+  const std::string before = panel.note.empty() ? "" : panel.note + " ";
+  const std::string grey =
+      panel.values.empty() ? "" : " Grey: U-matrix, darker for greater distances.";
+  if (steps == 0) {
+    return fmt::format("{}Samples {} to {} have the same winner.{}", before, panel.first_number,
+                       last, grey);
+  }
   return fmt::format(
       "{}Samples {} (black circle) to {} (black square): {} step{} between {} neuron{}.{}",
-      panel.note.empty() ? "" : panel.note + " ", panel.first_number, last, steps,
+      before, panel.first_number, last, steps,
       steps == 1 ? "" : "s", distinct, distinct == 1 ? "" : "s",
-      panel.values.empty() ? "" : " Grey: U-matrix, darker for greater distances.");
+      grey);
 }
 
 void check(const TrajectoryPanel& panel) {
