@@ -137,7 +137,7 @@ def draw(room, count, seed):
 
 def parse_arguments():
     parser = argparse.ArgumentParser(prog="./dev mutate", description=__doc__.split("\n")[0])
-    parser.add_argument("room", help="a wing or a room, such as maps or maps/growing")
+    parser.add_argument("room", help="a wing or a room, such as maps or maps/online")
     parser.add_argument("--count", type=int, default=20, help="number of mutants (default: 20)")
     parser.add_argument("--seed", type=int, default=1, help="seed of the choice (default: 1)")
     given = parser.parse_args()

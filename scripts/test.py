@@ -3,7 +3,7 @@
 
 usage: ./dev test              the stages required for every change
        ./dev test --all        all stages; a stage that has passed for the same tree is not repeated
-       ./dev test ROOM...      the tests of these wings and rooms only, such as maps or maps/growing
+       ./dev test ROOM...      the tests of these wings and rooms only, such as maps or maps/online
        ./dev test --changed    the checks, and the tests that the changes since the parent branch can reach
        ./dev test --failed     the tests that failed when tests were last run
        ./dev test --rooms      the rooms that have tests

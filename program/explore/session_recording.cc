@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "som/memory_flag.h"
+#include "flags/memory_flag.h"
 #include "terminal/wording.h"
 
 namespace somato::program {

@@ -12,6 +12,8 @@
 #include "hardware/device_files/device_file.h"
 #include "recordings/bags/bag_description.h"
 #include "somato/bodies/object_table.h"
+#include "somato/maps/clusters.h"
+#include "somato/maps/som_measures.h"
 #include "somato/maps/som_parameters.h"
 #include "somato/recording/csv_import.h"
 #include "somato/simulation/simulation_parameters.h"
@@ -171,6 +173,12 @@ std::string reference_page(const std::vector<Command>& commands) {
       "## Maps\n\nKeys of a module of type `som`; those of other types are listed with "
       "[them](modules.md).\n\n";
   add_table<SomParameters>(page, "map");
+  page +=
+      "## Measures and clusters of maps\n\nFlags of `somato som quality` and `somato som cluster`; "
+      "they are not keys of a file. [measures.md](../mathematics/measures.md) gives the "
+      "definitions; none of these numbers is in the papers.\n\n";
+  add_table<MeasureParameters>(page, "measures");
+  add_table<ClusterParameters>(page, "clusters");
   page +=
       "## Descriptions of CSV files\n\nThe import of CSV files as a recording ([your "
       "data](../your-data.md)): a table `[import]`, and a table `[[channel]]` for each "

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files/whole_file.h"
-#include "terminal/pdf_box.h"
+#include "report/pdf_box.h"
 #include "terminal/base64.h"
 
 namespace somato::program {

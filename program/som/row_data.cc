@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "base/files/whole_file.h"
+#include "flags/memory_flag.h"
 #include "maps/som/initial_weights.h"
 #include "som/data.h"
-#include "som/memory_flag.h"
 #include "som/stoppable_rows.h"
 #include "somato/core/matrix.h"
 #include "terminal/terminal.h"

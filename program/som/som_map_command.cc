@@ -5,11 +5,11 @@
 
 #include "base/text/json_table.h"
 #include "flags/commands.h"
+#include "flags/memory_flag.h"
 #include "flags/result_output.h"
 #include "som/column_report.h"
 #include "som/data.h"
 #include "som/map_and_rows.h"
-#include "som/memory_flag.h"
 #include "som/processes.h"
 #include "som/row_output.h"
 #include "somato/files/csv.h"

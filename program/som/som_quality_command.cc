@@ -4,12 +4,13 @@
 #include <utility>
 
 #include "flags/commands.h"
+#include "flags/memory_flag.h"
 #include "flags/result_output.h"
 #include "maps/grid/areas.h"
 #include "som/column_report.h"
 #include "som/data.h"
 #include "som/map_and_rows.h"
-#include "som/memory_flag.h"
+#include "som/measures_flag.h"
 #include "som/processes.h"
 
 namespace somato::program {
@@ -46,7 +47,17 @@ Result<void> add_label_measures(const MapAndRows& both, const SomQuality& qualit
       [&](double share) { table.entries.push_back(entry("accuracy", share)); });
 }
 
+// Only one process can measure more than the errors, which needs all samples together.
+Result<MeasuresRequest> requested_measures(const Arguments& arguments,
+                                           const JoinedProcesses* processes) {
+  auto request = read_measures(arguments);
+  if (!request || !request->any() || !processes) return request;
+  return fail(ErrorKind::kUsage, "several processes cannot share the work of this flag",
+              "--measures", "omit it, or start one process");
+}
+
 Result<void> measure(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(const auto request, agreed(requested_measures(arguments, processes), processes));
   SOMATO_TRY(const auto threads, agreed(threads_of(arguments, processes), processes));
   SOMATO_TRY(const auto both, read_map_and_rows(arguments, processes));
   SOMATO_TRY(const auto quality, measure_rows(both.model, both.rows, threads, processes));
@@ -59,7 +70,11 @@ Result<void> measure(const Arguments& arguments, JoinedProcesses* processes) {
                entry("quantization_error", quality.quantization_error),
                entry("topographic_error", quality.topographic_error)}};
   SOMATO_TRY_VOID(add_label_measures(both, quality, table));
-  print_result(arguments, lines_of(table), table);
+  std::string text = lines_of(table);
+  if (request.any()) {
+    SOMATO_TRY(text, add_measures(request, both, threads, table));
+  }
+  print_result(arguments, text, table);
   note_columns_and_filled(both.rows);
   return {};
 }
@@ -73,6 +88,7 @@ Result<void> quality(const Arguments& arguments) {
 
 Command som_quality_command() {
   std::vector<Flag> flags = data_flags();
+  flags.push_back(measures_flag());
   flags.push_back(threads_flag());
   flags.push_back(memory_flag());
   flags.push_back(json_flag());
@@ -80,8 +96,9 @@ Command som_quality_command() {
           "Measure the quality of a map for data",
           {{"MAP", "A trained map", true}, data_positional("NPY file or text, as for training")},
           std::move(flags),
-          {},
-          quality};
+          MeasureParameters::declarations().infos(),
+          quality,
+          "measures"};
 }
 
 }  // namespace somato::program

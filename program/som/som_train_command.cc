@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "flags/commands.h"
+#include "flags/memory_flag.h"
 #include "som/column_report.h"
 #include "som/data.h"
 #include "som/map_and_rows.h"
-#include "som/memory_flag.h"
 #include "som/processes.h"
 #include "somato/maps/som_training.h"
 #include "terminal/terminal.h"

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "flags/memory_flag.h"
 #include "report/pages.h"
-#include "som/memory_flag.h"
 #include "views/http/address.h"
 
 namespace somato::program {

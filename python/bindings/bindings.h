@@ -5,6 +5,7 @@
 namespace somato::python {
 
 /// The parts of the extension module.
+void bind_analysis(nanobind::module_& module);
 void bind_codes(nanobind::module_& module);
 void bind_explore(nanobind::module_& module);
 void bind_map(nanobind::module_& module);

@@ -176,6 +176,13 @@ void Map::check_rows(const SampleRows& rows) const {
                       "X", "use the columns that the map was trained on"}};
 }
 
+Samples Map::inputs(const SampleRows& rows) const {
+  check_rows(rows);
+  Samples inputs = complete_inputs(taking(rows), rows.missing(), rows.all());
+  for (std::size_t i = 0; i < inputs.count(); ++i) value_or_throw(check_row(inputs[i], i));
+  return inputs;
+}
+
 nb::object Map::winners(const SampleRows& rows, std::size_t threads) const {
   check_rows(rows);
   std::vector<std::int64_t> winners(rows.count());

@@ -53,6 +53,9 @@ class Map {
   /// The coordinates of rows in the plane of the map's principal components: float64 of (rows, 2).
   nanobind::object positions(const SampleRows& rows) const;
 
+  /// All rows as inputs of the map.
+  Samples inputs(const SampleRows& rows) const;
+
   /// The offset of each column that is subtracted before numbers are rounded; empty if all are 0.
   std::vector<double> offsets() const;
 

@@ -8,6 +8,7 @@ NB_MODULE(_somato, module) {
   somato::python::bind_codes(module);
   somato::python::bind_explore(module);
   somato::python::bind_map(module);
+  somato::python::bind_analysis(module);
   somato::python::bind_pictures(module);
   somato::python::bind_recording(module);
   somato::python::bind_rounding(module);

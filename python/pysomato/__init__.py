@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from .recording import *
     from .som import *
     from .som_classifier import *
+    from .som_clusterer import *
     from .studies import *
     from .suggestions import *
     from .sweeps import *
@@ -29,6 +30,7 @@ _NAMES_OF = {
     "recording": ["Recording", "read"],
     "som": ["SOM"],
     "som_classifier": ["SOMClassifier"],
+    "som_clusterer": ["SOMClusterer"],
     "studies": ["Live", "Study", "System", "TrainedSystem", "load", "study", "systems"],
     "suggestions": ["Suggestion", "suggest"],
     "sweeps": ["Sweep", "sweep"],

@@ -7,6 +7,7 @@ import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
 
 from . import _somato
+from ._analysis import MapAnalysis
 from ._labels import labels_of, places_of, warn_of_doubtful
 from ._numbers import number_of_threads, seed_of
 from ._progress import shown
@@ -18,7 +19,7 @@ from .errors import DataError, LabelWarning, UsageError
 _NOT_OF_MAP = {"random_state", "seed", "missing", "extra_columns", "unlabelled", "threads", "verbose"}
 
 
-class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
+class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
     """A self-organizing map.
 
     Its parameters, except those from ``random_state`` on, have the names, values and defaults of

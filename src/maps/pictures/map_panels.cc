@@ -12,9 +12,7 @@
 #include "base/text/text.h"
 #include "somato/core/check.h"
 #include "somato/core/parameter.h"
-#if __has_include("somato/maps/som_features.h")
 #include "somato/maps/som_features.h"
-#endif
 #include "somato/maps/som_quality.h"
 
 namespace somato {
@@ -61,12 +59,10 @@ std::vector<EdgeValue> edges_of(const Som& som) {
 }
 
 // The first elements, in the order of their panels.
-std::vector<std::size_t> drawn_elements(const Som& som, std::size_t most, [[maybe_unused]] PlaneSorting sorting) {
+std::vector<std::size_t> drawn_elements(const Som& som, std::size_t most, PlaneSorting sorting) {
   std::vector<std::size_t> elements(som.input_size());
   std::iota(elements.begin(), elements.end(), std::size_t{0});
-#if __has_include("somato/maps/som_features.h")
   if (sorting == PlaneSorting::kLikeness) elements = order_planes(som).order;
-#endif
   std::erase_if(elements, [&](std::size_t element) { return element >= most; });
   return elements;
 }
@@ -174,11 +170,8 @@ TrajectoryPanel trajectory_panel(const Som& som, std::vector<std::size_t> winner
           .first_number = first_number};
 }
 
-Result<Clusters> clusters_by_name([[maybe_unused]] const Som& som, const std::string& text,
+Result<Clusters> clusters_by_name(const Som& som, const std::string& text,
                                   const std::string& where) {
-#if !__has_include("somato/maps/som_features.h")
-  return fail(ErrorKind::kUsage, text, where, "");
-#else
   const std::size_t colon = text.find(':');
   ClusterParameters parameters;
   SOMATO_TRY(parameters.method, choice_named<ClusterMethod>("method of clustering",
@@ -197,7 +190,6 @@ Result<Clusters> clusters_by_name([[maybe_unused]] const Som& som, const std::st
   auto clusters = cluster_neurons(som, parameters);
   if (!clusters) clusters.error().where = where;
   return clusters;
-#endif
 }
 
 void outline(Panel& panel, const std::vector<std::size_t>& clusters) {

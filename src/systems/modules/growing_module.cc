@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "maps/growing/growing_cells.h"
-#include "maps/growing/growing_grid.h"
-#include "maps/growing/growing_when_required.h"
+#include "maps/online/growing_cells.h"
+#include "maps/online/growing_grid.h"
+#include "maps/online/growing_when_required.h"
 #include "maps/som/map_parts.h"
 #include "maps/som/som_archive.h"
 #include "somato/core/check.h"

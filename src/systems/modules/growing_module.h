@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "maps/growing/growing_map.h"
+#include "maps/online/growing_map.h"
 #include "systems/modules/map_module.h"
 #include "systems/modules/support.h"
 

@@ -1,0 +1,131 @@
+#include "somato/maps/som_features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "base/core/threads.h"
+#include "somato/core/check.h"
+#include "somato/maps/som_training.h"
+
+namespace somato {
+namespace {
+
+constexpr double kNoVariance = std::numeric_limits<double>::quiet_NaN();
+
+double explained_share(double residual, double squares) {
+  return squares > 0.0 ? 1.0 - residual / squares : kNoVariance;
+}
+
+// All values of the samples, also of sparse ones.
+Matrix<float> dense_rows(const Samples& samples) {
+  Matrix<float> rows(samples.count(), samples.size());
+  for (std::size_t i = 0; i < samples.count(); ++i) write_dense(samples[i], rows.row(i));
+  return rows;
+}
+
+// The samples of a part that are expanded at once.
+std::size_t rows_at_once(std::size_t features) {
+  constexpr std::size_t kMostValues = std::size_t{1} << 22;
+  return std::max<std::size_t>(1, kMostValues / std::max<std::size_t>(1, features));
+}
+
+}  // namespace
+
+FeatureMeasurement::FeatureMeasurement(const Som& som, std::size_t threads,
+                                       std::vector<std::size_t> group_of_neuron, std::size_t groups)
+    : som_(som),
+      threads_(threads),
+      group_of_neuron_(std::move(group_of_neuron)),
+      means_(som.input_size()),
+      squares_(som.input_size()),
+      residuals_(som.input_size()),
+      group_sums_(groups, som.input_size()),
+      group_samples_(groups) {
+  require(group_of_neuron_.empty() || group_of_neuron_.size() == som.neurons(),
+          "FeatureMeasurement: each neuron needs a group");
+}
+
+void FeatureMeasurement::add(const Samples& samples, std::span<const std::size_t> winners) {
+  require(samples.count() == winners.size(), "FeatureMeasurement: each sample needs a winner");
+  require(samples.size() == som_.input_size(), "FeatureMeasurement: samples of another size");
+  Samples storage;
+  const Samples& prepared = prepared_samples(som_.parameters(), samples, storage);
+  const std::size_t most = rows_at_once(samples.size());
+  for (std::size_t first = 0; first < prepared.count(); first += most) {
+    std::vector<std::size_t> numbers(std::min(most, prepared.count() - first));
+    std::iota(numbers.begin(), numbers.end(), first);
+    const bool is_whole = numbers.size() == prepared.count();
+    add_to_groups(is_whole ? prepared : prepared.subset(numbers),
+                  winners.subspan(first, numbers.size()));
+  }
+}
+
+// Means and sums of squares by the recurrence of Welford (1962), which loses no digits of a small
+// variance around a large mean.
+void FeatureMeasurement::add_to_groups(const Samples& samples,
+                                       std::span<const std::size_t> winners) {
+  const Matrix<float> rows = dense_rows(samples);
+  for_each_range(samples.size(), threads_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = 0; i < rows.rows(); ++i) {
+      const std::size_t group =
+          group_of_neuron_.empty() ? group_samples_.size() : group_of_neuron_[winners[i]];
+      const double seen = static_cast<double>(samples_ + i + 1);
+      for (std::size_t d = begin; d < end; ++d) {
+        const double value{rows(i, d)};
+        const double change = value - means_[d];
+        means_[d] += change / seen;
+        squares_[d] += change * (value - means_[d]);
+        const double error = value - double{som_.weight(winners[i], d)};
+        residuals_[d] += error * error;
+        if (group < group_samples_.size()) group_sums_(group, d) += value;
+      }
+    }
+  });
+  for (const std::size_t winner : winners) {
+    if (group_of_neuron_.empty()) break;
+    if (group_of_neuron_[winner] < group_samples_.size()) {
+      ++group_samples_[group_of_neuron_[winner]];
+    }
+  }
+  samples_ += rows.rows();
+}
+
+std::vector<FeatureMeasures> FeatureMeasurement::features() const {
+  std::vector<FeatureMeasures> features(means_.size());
+  for (std::size_t d = 0; d < features.size(); ++d) {
+    features[d] =
+        samples_ == 0
+            ? FeatureMeasures{kNoVariance, kNoVariance, kNoVariance}
+            : FeatureMeasures{means_[d], std::sqrt(squares_[d] / static_cast<double>(samples_)),
+                              explained_share(residuals_[d], squares_[d])};
+  }
+  return features;
+}
+
+double FeatureMeasurement::explained_variance() const {
+  return explained_share(std::accumulate(residuals_.begin(), residuals_.end(), 0.0),
+                         std::accumulate(squares_.begin(), squares_.end(), 0.0));
+}
+
+std::vector<FeatureDifference> FeatureMeasurement::differences(std::size_t group) const {
+  require(group < group_samples_.size(), "FeatureMeasurement: there is no such group");
+  std::vector<FeatureDifference> differences;
+  if (group_samples_[group] == 0) return differences;
+  const std::vector<FeatureMeasures> all = features();
+  for (std::size_t d = 0; d < all.size(); ++d) {
+    const double mean = group_sums_(group, d) / static_cast<double>(group_samples_[group]);
+    const bool varies = all[d].deviation > 0.0;
+    differences.push_back({d, varies ? (mean - all[d].mean) / all[d].deviation : 0.0});
+  }
+  std::sort(differences.begin(), differences.end(), [](const auto& a, const auto& b) {
+    const double of_a = std::abs(a.difference);
+    const double of_b = std::abs(b.difference);
+    return of_a != of_b ? of_a > of_b : a.feature < b.feature;
+  });
+  return differences;
+}
+
+}  // namespace somato

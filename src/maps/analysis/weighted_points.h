@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "somato/core/matrix.h"
+
+namespace somato {
+
+/// Points that are clustered; each counts as often as its weight, above 0.
+struct WeightedPoints {
+  Matrix<double> rows;
+  std::vector<double> weights;
+
+  std::size_t count() const { return rows.rows(); }
+};
+
+/// A cluster of each point, below `count`.
+using PointClusters = std::vector<std::size_t>;
+
+/// The weighted means of clusters.
+struct ClusterMeans {
+  Matrix<double> rows;
+  std::vector<double> weights;
+
+  ClusterMeans(const WeightedPoints& points, const PointClusters& clusters, std::size_t count);
+};
+
+double squared_distance(std::span<const double> a, std::span<const double> b);
+
+/// The same clusters, numbered in the order of their first points.
+PointClusters numbered_in_order(const PointClusters& clusters);
+
+}  // namespace somato
