@@ -1,6 +1,6 @@
 #include "flags/layout_flag.h"
 
-#include "maps/pictures/layout_file.h"
+#include "views/skins/layout_file.h"
 
 namespace somato::program {
 

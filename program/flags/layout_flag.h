@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "flags/command_line.h"
-#include "maps/pictures/channel_places.h"
+#include "views/skins/channel_places.h"
 
 namespace somato::program {
 

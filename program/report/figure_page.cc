@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "base/files/whole_file.h"
 #include "report/pdf_box.h"
@@ -22,18 +20,6 @@ constexpr std::size_t kHeight = 800;
 // mm, by which the paper is larger than a picture that it must contain as a whole.
 constexpr double kAroundPicture = 1.0;
 
-// The address of a file: other characters than these have a meaning in addresses.
-std::string address_of(const std::string& path) {
-  std::string address = "file://";
-  for (const char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_plain =
-        std::isalnum(byte) != 0 || std::string_view("/-._~").find(c) != std::string_view::npos;
-    address += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
-  }
-  return address;
-}
-
 ListedFigure listed(const SortedJson& one) {
   return {one.at("name"), one.at("title"), one.at("endings").get<std::vector<std::string>>()};
 }
@@ -44,7 +30,7 @@ Result<FigurePage> FigurePage::open(const std::string& page, double width) {
   SOMATO_TRY(auto folder, ScratchFolder::create());
   const std::string path = folder.path() + "/report.html";
   SOMATO_TRY_VOID(save_whole(path, page));
-  const std::string address = fmt::format("{}#figures-only?width={}", address_of(path), width);
+  const std::string address = fmt::format("{}#figures-only?width={}", file_address(path), width);
   SOMATO_TRY(auto browser, HeadlessBrowser::open(address, kWidth, kHeight));
   SOMATO_TRY_VOID(browser.wait_until(
       "location.protocol === \"file:\" && document.readyState === \"complete\""));
@@ -75,7 +61,7 @@ Result<std::string> FigurePage::file(const FigureRequest& request) {
 Result<std::string> FigurePage::printed(const std::string& page, double width, double height) {
   const std::string path = folder_.path() + "/figure.html";
   SOMATO_TRY_VOID(save_whole(path, page));
-  SOMATO_TRY_VOID(browser_.go_to(address_of(path)));
+  SOMATO_TRY_VOID(browser_.go_to(file_address(path)));
   SOMATO_TRY_VOID(browser_.wait_until(
       "document.documentElement?.dataset.picture !== undefined && "
       "document.readyState === \"complete\" && document.fonts.status === \"loaded\""));

@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <cctype>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,6 +43,18 @@ Result<ChildProcess> start(const ScratchFolder& profile) {
 }
 
 }  // namespace
+
+// Other characters than these have a meaning in addresses.
+std::string file_address(const std::string& path) {
+  std::string address = "file://";
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain =
+        std::isalnum(byte) != 0 || std::string_view("/-._~").find(c) != std::string_view::npos;
+    address += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return address;
+}
 
 Result<HeadlessBrowser> HeadlessBrowser::open(const std::string& address, std::size_t width,
                                               std::size_t height) {

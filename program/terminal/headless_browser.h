@@ -11,6 +11,9 @@
 
 namespace somato::program {
 
+/// The address of a file.
+std::string file_address(const std::string& path);
+
 /// A page in a browser without a window: Chromium, which is controlled by the DevTools protocol
 /// through a socket that only this program has.
 class HeadlessBrowser {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "flags/layout_flag.h"
-#include "maps/pictures/channel_places.h"
+#include "views/skins/channel_places.h"
 #include "recordings/explorations/recording_json.h"
 
 namespace somato::program {

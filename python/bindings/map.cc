@@ -12,6 +12,7 @@
 #include "errors.h"
 #include "interrupts.h"
 #include "maps/pictures/cells.h"
+#include "maps/reading/principal_plane.h"
 #include "maps/reading/sample_reader.h"
 #include "maps/som/sample_range.h"
 #include "nanobind/stl/string.h"
@@ -87,6 +88,17 @@ void unlocked(const std::function<void(Interrupts&)>& work, nb::object progress 
     work(interrupts);
   }
   interrupts.throw_raised();
+}
+
+// The name of each neuron's class, or None.
+nb::list neuron_labels(const Map& map) {
+  nb::list names;
+  const SomModel& model = map.model();
+  for (std::size_t i = 0; i < model.labels.neurons(); ++i) {
+    const std::optional<std::size_t> label = model.labels[i];
+    names.append(label ? nb::cast(model.classes[*label]) : nb::none());
+  }
+  return names;
 }
 
 }  // namespace
@@ -226,6 +238,22 @@ nb::object Map::labelled_winners(const SampleRows& rows, std::size_t threads) co
   return numbers_of(rows, [&](const Samples& part) { return reader.read(part).nearest; });
 }
 
+nb::object Map::positions(const SampleRows& rows) const {
+  check_rows(rows);
+  std::vector<double> coordinates;
+  coordinates.reserve(2 * rows.count());
+  unlocked([&](Interrupts& interrupts) {
+    const PrincipalPlane plane(model_.som);
+    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t /*first*/) {
+      for (const Position& at : plane.positions_of(model_.som, part)) {
+        coordinates.insert(coordinates.end(), {at.x, at.y});
+      }
+    });
+  });
+  const std::size_t shape[] = {rows.count(), 2};
+  return array_of(std::move(coordinates), shape);
+}
+
 nb::tuple Map::quality(const SampleRows& rows, std::size_t threads) const {
   check_rows(rows);
   SomQuality quality;
@@ -304,6 +332,7 @@ void bind_map(nb::module_& module) {
       .def("activity", &Map::activity, nb::arg("rows"), nb::arg("threads"))
       .def("classes", &Map::classes, nb::arg("rows"), nb::arg("threads"))
       .def("labelled_winners", &Map::labelled_winners, nb::arg("rows"), nb::arg("threads"))
+      .def("positions", &Map::positions, nb::arg("rows"))
       .def("quality", &Map::quality, nb::arg("rows"), nb::arg("threads"))
       .def("weights", &Map::weights)
       .def("u_matrix", &Map::u_matrix)
@@ -314,6 +343,7 @@ void bind_map(nb::module_& module) {
       .def("offsets", &Map::offsets)
       .def("deviations", &Map::deviations)
       .def_prop_ro("features", [](const Map& map) { return map.model().features; })
+      .def_prop_ro("neuron_labels", &neuron_labels)
       .def_prop_ro("class_names", [](const Map& map) { return map.model().classes; })
       .def_prop_ro("input_size", [](const Map& map) { return map.model().som.input_size(); })
       .def(

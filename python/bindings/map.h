@@ -50,6 +50,9 @@ class Map {
   /// Quantization error, topographic error, hits and winners.
   nanobind::tuple quality(const SampleRows& rows, std::size_t threads) const;
 
+  /// The coordinates of rows in the plane of the map's principal components: float64 of (rows, 2).
+  nanobind::object positions(const SampleRows& rows) const;
+
   /// All rows as inputs of the map.
   Samples inputs(const SampleRows& rows) const;
 

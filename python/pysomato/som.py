@@ -12,7 +12,7 @@ from ._labels import labels_of, places_of, warn_of_doubtful
 from ._numbers import number_of_threads, seed_of
 from ._progress import shown
 from ._rows import check_fitted, level_of_user, sample_rows_of
-from .drawing import Drawing, MapData
+from .drawing import Drawing, Look, MapData
 from .errors import DataError, LabelWarning, UsageError
 
 # In __init__, but not parameters of a map.
@@ -225,18 +225,35 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         check_fitted(self, "map_")
         return self.map_.u_matrix()
 
-    def draw(self, panels=None, X=None, y=None, *, title="SOM", components=12,
+    def draw(self, panels=None, X=None, y=None, *, title="SOM", components=12, component_order="columns",
+             component_scale="own", size_by_hits=False, clusters=None, trajectory=None,
              layout=None, neuron=None) -> Drawing:
         """The pictures that ``somato som plot`` draws, as SVG, which a notebook shows.
 
         Args:
-            panels: A name or a list of names: ``u_matrix`` (mean distances of neighbours), ``hits``
-                (samples that each neuron wins), ``labels`` (the winners of labelled samples) and
-                ``components`` (the weights of each column). None: all for which there are data.
-            X: Samples for ``hits`` and ``labels``; None: those of ``fit``.
+            panels: A name or a list of names: ``u_matrix`` (mean distances of neighbours),
+                ``u_matrix_edges`` (also the distance of each two neighbours), ``hits`` (samples that
+                each neuron wins), ``labels`` (the winners of labelled samples), ``label_text`` (the
+                name of most samples of each neuron), ``pies`` (the share of each class),
+                ``components`` (the weights of each column), ``clusters`` (of the neurons),
+                ``dendrogram`` (their merges), ``projection`` (the grid, and the samples X, in the
+                plane of the first two principal components of the weights) and ``trajectory`` (the
+                winners of consecutive samples). None: ``u_matrix``, ``hits``, ``labels`` and
+                ``components`` if there are data for them.
+            X: Samples for panels that need them, such as the frames of an exploration for
+                ``trajectory``; None: those of ``fit``.
             y: Their labels.
             title: The title of the picture.
             components: Maximum number of component planes.
+            component_order: ``"columns"``, or ``"likeness"``: correlated planes follow each other.
+            component_scale: ``"own"``: colours have the range of each plane; ``"common"``: that of all.
+            size_by_hits: Whether the area of a pie is proportional to its samples.
+            clusters: Clusters that are outlined in all panels: ``"ward"``, ``"k_means"`` or
+                ``"watershed"``, with a number as in ``"ward:4"`` or one that is chosen; or an array
+                with the number of each neuron's cluster, from 0. None: none, and ``"ward"`` for the
+                panels ``clusters`` and ``dendrogram``.
+            trajectory: The rows that ``trajectory`` connects, as a range or slice of at most 1000
+                rows; None: all. The numbers in the picture begin at 1, as those of the program.
             layout: The path of a layout file: the weights of each neuron are drawn on this skin
                 instead of panels.
             neuron: With a layout, the number of the only neuron to draw, as in ``winners_``.
@@ -247,9 +264,12 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         """
         if _on_skin(layout, neuron, (panels, X, y), "SOM.draw"):
             return self._data(None, None).draw_skin(layout, neuron, title, "SOM.draw")
-        return self._data(X, y).draw(panels, title, components, "SOM.draw")
+        look = Look(components=components, component_order=component_order, component_scale=component_scale,
+                    size_by_hits=size_by_hits, clusters=clusters, trajectory=trajectory)
+        return self._data(X, y).draw(panels, title, look, "SOM.draw")
 
-    def plot(self, panel=None, X=None, y=None, *, ax=None, layout=None, neuron=None):
+    def plot(self, panel=None, X=None, y=None, *, ax=None, size_by_hits=False, clusters=None,
+             trajectory=None, layout=None, neuron=None):
         """Draws one panel on axes of matplotlib (``pip install 'pysomato[matplotlib]'``).
 
         Args:
@@ -258,13 +278,16 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
             X: As for ``draw``.
             y: As for ``draw``.
             ax: The axes; None: those of a new figure.
+            size_by_hits: As for ``draw``.
+            clusters: As for ``draw``.
+            trajectory: As for ``draw``.
             layout: The path of a layout file: weights are drawn on this skin instead of a panel.
             neuron: With a layout, the number of the neuron, as in ``winners_``; None: the means of
                 all neurons.
 
         Returns:
             The axes. A unit is the width of a cell, and the first row is at the top; with a layout
-            it is 1 mm.
+            it is 1 mm, and for ``projection`` that of the weights.
 
         Raises:
             ImportError: matplotlib is not installed.
@@ -272,7 +295,8 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         """
         if _on_skin(layout, neuron, (panel, X, y), "SOM.plot"):
             return self._data(None, None).plot_skin(layout, neuron, ax, "SOM.plot")
-        return self._data(X, y).plot("u_matrix" if panel is None else panel, ax, "SOM.plot")
+        look = Look(size_by_hits=size_by_hits, clusters=clusters, trajectory=trajectory)
+        return self._data(X, y).plot("u_matrix" if panel is None else panel, ax, look, "SOM.plot")
 
     def save(self, path) -> None:
         """Writes the map to a model file, which ``somato som map`` reads as well."""
@@ -359,7 +383,7 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         labels = None if y is None else self._labels(y, X)
         return MapData(self.map_, hits, winners,
                        None if labels is None or not labels.known.any()
-                       else (labels.names, labels.numbers))
+                       else (labels.names, labels.numbers), X)
 
     def _checked(self, X):
         check_fitted(self, "map_")

@@ -68,6 +68,10 @@ std::vector<double> u_matrix(const Som& som);
 /// NeuronGraph::edges(); empty for a map on rows and columns.
 std::vector<double> edge_distances(const Som& som);
 
+/// The distance between the weights of two neurons, which the U-matrix is a mean of. Throws
+/// InvalidArgument if a neuron is not on the map.
+double neuron_distance(const Som& som, std::size_t first, std::size_t second);
+
 /// A component plane: the weight of each neuron for input element `element`.
 std::vector<double> component_plane(const Som& som, std::size_t element);
 

@@ -59,6 +59,11 @@ double Cells::inner_side() const {
   return grid_.lattice() == Lattice::kRectangular ? pixels_ : pixels_ * 2 / (1 + kSquareRootOf3);
 }
 
+Point Cells::text_area() const {
+  // The upright sides of a hexagon are as long as its radius, two units.
+  return {pixels_, 2 * unit().y};
+}
+
 Point Cells::centre_in_units(std::size_t neuron) const {
   if (const NeuronGraph* graph = grid_.graph()) {
     const NeuronGraph::Cell& cell = graph->cells()[neuron];

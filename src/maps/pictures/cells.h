@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -12,6 +13,11 @@ namespace somato {
 /// A number of things as a factor of a length.
 inline double real(std::size_t number) {
   return static_cast<double>(number);
+}
+
+/// The distance of two points.
+inline double distance(Point a, Point b) {
+  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
 }
 
 /// The positions of the cells of a map: squares, or hexagons with a corner at the top, without
@@ -35,6 +41,9 @@ class Cells {
 
   /// The side of the greatest upright square within a cell, in pixels.
   double inner_side() const;
+
+  /// The size of the greatest upright rectangle within a cell that is as wide as the cell.
+  Point text_area() const;
 
   /// In pixels.
   Point centre(std::size_t neuron) const;

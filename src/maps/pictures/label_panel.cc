@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <numeric>
+#include <optional>
 
 #include "maps/grid/areas.h"
 #include "maps/pictures/cells.h"
+#include "maps/pictures/class_cells.h"
+#include "maps/pictures/outlines.h"
 #include "maps/svg/legend.h"
 #include "maps/svg/marker.h"
 #include "maps/svg/text_layout.h"
@@ -18,10 +21,6 @@ namespace {
 
 constexpr double kLeastRadius = 1.8;
 constexpr double kGreatestRadius = 7.0;
-constexpr double kWidestTooltipName = 600.0;
-
-// The number of samples of each class that a neuron wins, by class number.
-using Won = std::map<std::size_t, std::size_t>;
 
 std::vector<Won> won_by_neuron(const LabelPanel& panel) {
   std::vector<Won> won(panel.grid.size());
@@ -29,10 +28,6 @@ std::vector<Won> won_by_neuron(const LabelPanel& panel) {
     ++won[panel.winners[i]][panel.classes[i]];
   }
   return won;
-}
-
-std::string tooltip_name(const LabelPanel& panel, std::size_t class_number) {
-  return shortened(shown_name(panel.class_names[class_number]), kWidestTooltipName, 12.0);
 }
 
 std::string tooltip_of(const LabelPanel& panel, std::size_t neuron, const Won& won) {
@@ -44,31 +39,6 @@ std::string tooltip_of(const LabelPanel& panel, std::size_t neuron, const Won& w
   }
   return text;
 }
-
-// Places for markers in an upright square, row after row.
-class MarkerSquare {
- public:
-  MarkerSquare(std::size_t markers, double side) : markers_(markers) {
-    while (columns_ * columns_ < markers) ++columns_;
-    spacing_ = side / real(columns_);
-  }
-
-  double spacing() const { return spacing_; }
-
-  /// The offset of a marker from the middle of the square; short rows are centred.
-  Point offset(std::size_t marker) const {
-    const std::size_t row = marker / columns_;
-    const std::size_t rows = (markers_ + columns_ - 1) / columns_;
-    const std::size_t in_row = std::min(columns_, markers_ - row * columns_);
-    return {spacing_ * (real(marker % columns_) - 0.5 * (real(in_row) - 1)),
-            spacing_ * (real(row) - 0.5 * (real(rows) - 1))};
-  }
-
- private:
-  std::size_t markers_;
-  std::size_t columns_ = 1;
-  double spacing_ = 0.0;
-};
 
 // A marker that represents `samples` samples of one class.
 struct Marker {
@@ -86,8 +56,7 @@ double radius_for(double spacing) {
 
 // Whether the samples of a neuron have room for a marker each.
 bool fit_one_by_one(const Won& won, const Cells& cells) {
-  std::size_t samples = 0;
-  for (const auto& [class_number, of_class] : won) samples += of_class;
+  const std::size_t samples = samples_of(won);
   return samples <= 1 ||
          radius_for(MarkerSquare(samples, marker_side(cells)).spacing()) >= kLeastRadius;
 }
@@ -158,7 +127,42 @@ void draw_samples(SvgWriter& svg, const LabelPanel& panel, const Cells& cells, P
 }
 
 bool has_areas(const LabelPanel& panel) {
-  return panel.show_areas && !panel.winners.empty();
+  return panel.show_areas && !panel.winners.empty() && panel.marks != LabelMarks::kPies;
+}
+
+std::vector<std::optional<std::size_t>> majorities(const LabelPanel& panel) {
+  const NeuronLabels labels =
+      NeuronLabels::by_majority(panel.winners, panel.classes, panel.grid.size());
+  std::vector<std::optional<std::size_t>> classes(panel.grid.size());
+  for (std::size_t i = 0; i < classes.size(); ++i) classes[i] = labels[i];
+  return classes;
+}
+
+bool has_numbers(const LabelPanel& panel, const Cells& cells) {
+  if (panel.marks != LabelMarks::kText) return false;
+  std::vector<std::string> names;
+  for (const std::string& name : panel.class_names) names.push_back(shown_name(name));
+  return !fit_in_cells(names, cells);
+}
+
+// Cells with texts are larger if the names fit into larger ones.
+double pixels_of(const LabelPanel& panel) {
+  constexpr double kLargest = 1.6;
+  const double usual = cell_pixels(panel.grid);
+  for (double larger = 1.0; larger <= kLargest; larger += 0.1) {
+    if (!has_numbers(panel, Cells(panel.grid, larger * usual))) return larger * usual;
+  }
+  return usual;
+}
+
+// The texts of the classes in cells: their names or their numbers, counted from 1.
+std::vector<std::string> texts_of(const LabelPanel& panel, const Cells& cells) {
+  const bool numbers = has_numbers(panel, cells);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < panel.class_names.size(); ++i) {
+    texts.push_back(numbers ? fmt::format("{}", i + 1) : shown_name(panel.class_names[i]));
+  }
+  return texts;
 }
 
 // Won cells in a stronger, the others in a lighter tint of their area's colour.
@@ -166,9 +170,9 @@ std::vector<Colour> fills_of(const LabelPanel& panel, const std::vector<std::siz
   constexpr Colour kNothing{0xf4, 0xf4, 0xf4};
   constexpr double kWon = 0.5;
   constexpr double kArea = 0.18;
-  const NeuronLabels labels =
-      NeuronLabels::by_majority(panel.winners, panel.classes, panel.grid.size());
   std::vector<Colour> fills(panel.grid.size(), kNothing);
+  if (panel.marks == LabelMarks::kPies) return fills;
+  const auto labels = majorities(panel);
   for (std::size_t i = 0; i < fills.size(); ++i) {
     if (labels[i]) {
       fills[i] = tint(class_mark(*labels[i]).colour, kWon);
@@ -179,30 +183,13 @@ std::vector<Colour> fills_of(const LabelPanel& panel, const std::vector<std::siz
   return fills;
 }
 
-void draw_borders(SvgWriter& svg, const Cells& cells, Point corner,
-                  const std::vector<std::size_t>& area) {
-  const std::vector<std::size_t> one_area(cells.grid().size(), 0);
-  const Cells::Borders borders = cells.borders(area.empty() ? one_area : area);
-  // Scaled here and not by the group, whose scale would draw slanting lines thinner.
-  const auto in_pixels = [&](std::vector<Point> ends) {
-    for (Point& end : ends) end = {end.x * cells.unit().x, end.y * cells.unit().y};
-    return ends;
-  };
-  constexpr double kLeastCellWithLines = 8.0;
-  if (cells.pixels() >= kLeastCellWithLines) {
-    svg.open_group("lines", corner, {.fill = "none", .stroke = "#ffffff", .stroke_width = 0.6});
-    svg.segments(in_pixels(borders.within_areas));
-    svg.close_group();
-  }
-  const double width = std::clamp(cells.pixels() * 0.06, 0.6, 1.6);
-  svg.open_group("borders", corner, {.fill = "none", .stroke = "#333333", .stroke_width = width});
-  svg.segments(in_pixels(borders.around_map));
-  svg.segments(in_pixels(borders.between_areas));
-  svg.close_group();
-}
-
 Legend legend_of(const LabelPanel& panel, const PanelFrame& frame) {
-  return {panel.class_names, frame.width};
+  if (!has_numbers(panel, frame.cells)) return {panel.class_names, frame.width};
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < panel.class_names.size(); ++i) {
+    names.push_back(fmt::format("{}  {}", i + 1, shown_name(panel.class_names[i])));
+  }
+  return {names, frame.width};
 }
 
 void check(const LabelPanel& panel) {
@@ -213,22 +200,58 @@ void check(const LabelPanel& panel) {
   for (const std::size_t class_number : panel.classes) {
     require(class_number < panel.class_names.size(), "a class has no name");
   }
+  check_clusters(panel.grid, panel.clusters);
+}
+
+// What the marks mean.
+std::string explanation_of(const LabelPanel& panel, const Cells& cells) {
+  const std::vector<Won> won = won_by_neuron(panel);
+  if (panel.marks == LabelMarks::kText) return "";
+  if (panel.marks == LabelMarks::kPies) {
+    return panel.size_by_hits ? "The area of a pie is proportional to its number of samples." : "";
+  }
+  const bool all_fit =
+      std::all_of(won.begin(), won.end(), [&](const Won& at) { return fit_one_by_one(at, cells); });
+  return all_fit ? ""
+                 : "If samples lie too close, one marker represents all of a class, with their "
+                   "number.";
 }
 
 std::string note_of(const LabelPanel& panel, const Cells& cells) {
-  const std::vector<Won> won = won_by_neuron(panel);
-  const bool all_fit =
-      std::all_of(won.begin(), won.end(), [&](const Won& at) { return fit_one_by_one(at, cells); });
-  if (all_fit) return panel.note;
-  return (panel.note.empty() ? "" : panel.note + " ") +
-         "If samples lie too close, one marker represents all of a class, with their number.";
+  const std::string explanation = explanation_of(panel, cells);
+  return panel.note + (panel.note.empty() || explanation.empty() ? "" : " ") + explanation;
+}
+
+void draw_marks(SvgWriter& svg, const LabelPanel& panel, const PanelFrame& frame,
+                const std::vector<Won>& won, const std::vector<Colour>& fills) {
+  const Point corner = frame.map_corner();
+  switch (panel.marks) {
+    case LabelMarks::kSamples:
+      return draw_samples(svg, panel, frame.cells, corner, won);
+    case LabelMarks::kPies:
+      return draw_pies(svg, panel, frame.cells, corner, won);
+    case LabelMarks::kText:
+      return draw_texts(svg, frame.cells, corner, majorities(panel), texts_of(panel, frame.cells),
+                        fills);
+  }
 }
 
 }  // namespace
 
+LabelPanel clusters_panel(const Grid& grid, const std::vector<std::size_t>& clusters) {
+  LabelPanel panel{.title = "Clusters", .grid = grid, .classes = clusters,
+                   .marks = LabelMarks::kText, .clusters = clusters};
+  panel.winners.resize(grid.size());
+  std::iota(panel.winners.begin(), panel.winners.end(), std::size_t{0});
+  const std::size_t count =
+      clusters.empty() ? 0 : *std::max_element(clusters.begin(), clusters.end()) + 1;
+  for (std::size_t i = 0; i < count; ++i) panel.class_names.push_back(fmt::format("{}", i + 1));
+  return panel;
+}
+
 PanelFrame frame_of(const LabelPanel& panel) {
   check(panel);
-  PanelFrame frame = make_frame(panel.title, panel.grid);
+  PanelFrame frame = make_frame(panel.title, panel.grid, pixels_of(panel));
   frame.foot_height = legend_of(panel, frame).height() + 6;
   add_note(frame, note_of(panel, frame.cells));
   return frame;
@@ -240,11 +263,15 @@ void draw_panel(SvgWriter& svg, const PanelFrame& frame, const LabelPanel& panel
   const std::vector<std::size_t> area =
       has_areas(panel) ? WinnerAreas(panel.grid, panel.winners).classes_of_neurons(panel.classes)
                        : std::vector<std::size_t>();
+  const std::vector<Colour> fills = fills_of(panel, area);
   draw_frame(svg, frame);
-  draw_cells(svg, frame, fills_of(panel, area),
+  draw_cells(svg, frame, fills,
              [&](std::size_t neuron) { return tooltip_of(panel, neuron, won[neuron]); });
-  draw_borders(svg, frame.cells, corner, area);
-  draw_samples(svg, panel, frame.cells, corner, won);
+  draw_borders(svg, frame.cells, corner,
+               panel.clusters.empty() ? area : std::vector<std::size_t>(),
+               panel.marks == LabelMarks::kPies ? "#bbbbbb" : "#ffffff");
+  draw_outlines(svg, frame.cells, corner, panel.clusters);
+  draw_marks(svg, panel, frame, won, fills);
   legend_of(panel, frame).draw(svg, {0, frame.foot_top()});
 }
 

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "maps/pictures/dendrogram_panel.h"
+#include "maps/pictures/edge_panel.h"
 #include "maps/pictures/label_panel.h"
 #include "maps/pictures/panel_frame.h"
+#include "maps/pictures/projection_panel.h"
+#include "maps/pictures/trajectory_panel.h"
 #include "maps/pictures/value_panel.h"
 #include "maps/svg/svg.h"
 #include "maps/svg/text_layout.h"

@@ -20,19 +20,8 @@ constexpr std::size_t kMostNoteLines = 6;
 constexpr double kLeastWidth = 260.0;
 constexpr std::size_t kMostTooltips = 2500;
 
-// The width of a cell: maps are about 480 pixels long, but their cells can be seen and one is not a
-// poster.
-double cell_pixels(const Grid& grid) {
-  constexpr double kMapSide = 480.0;
-  const std::size_t longest_side =
-      grid.graph() ? std::max(grid.graph()->extent().row, grid.graph()->extent().column)
-                   : std::max(grid.rows(), grid.columns());
-  const auto longest = static_cast<double>(longest_side);
-  return std::clamp(std::floor(kMapSide / longest), 5.0, 48.0);
-}
-
-std::string with_topology(const std::string& note, const Grid& grid) {
-  if (grid.topology() == Topology::kPlane) return note;
+std::string with_topology(const std::string& note, Topology topology) {
+  if (topology == Topology::kPlane) return note;
   return (note.empty() ? "" : note + " ") + "A torus: opposite edges join.";
 }
 
@@ -54,26 +43,53 @@ void draw_connections(SvgWriter& svg, const PanelFrame& frame) {
 }  // namespace
 
 Point PanelFrame::map_corner() const {
-  return {(width - cells.width()) / 2, kTitleHeight};
+  return {(width - map_width) / 2, kTitleHeight};
 }
 
 double PanelFrame::foot_top() const {
-  return kTitleHeight + cells.height() + 12;
+  return kTitleHeight + map_height + 12;
 }
 
 double PanelFrame::height() const {
   return foot_top() + foot_height + kNoteLine * static_cast<double>(note_lines.size());
 }
 
-PanelFrame make_frame(const std::string& title, const Grid& grid) {
+double cell_pixels(const Grid& grid) {
   require(grid.size() > 0, "a panel needs a grid with neurons");
-  const Cells cells(grid, cell_pixels(grid));
-  return {title, cells, std::max(cells.width(), kLeastWidth), 0.0, {}};
+  const std::size_t longest_side =
+      grid.graph() ? std::max(grid.graph()->extent().row, grid.graph()->extent().column)
+                   : std::max(grid.rows(), grid.columns());
+  const auto longest = static_cast<double>(longest_side);
+  return std::clamp(std::floor(kMapSide / longest), 5.0, 48.0);
+}
+
+PanelFrame make_frame(const std::string& title, const Grid& grid) {
+  return make_frame(title, grid, cell_pixels(grid));
+}
+
+PanelFrame make_frame(const std::string& title, const Grid& grid, double pixels) {
+  const Cells cells(grid, pixels);
+  return {title, cells, cells.width(), cells.height(), std::max(cells.width(), kLeastWidth), 0.0,
+          {}};
+}
+
+PanelFrame make_frame(const std::string& title, double width, double height) {
+  return {title, Cells(Grid(), 1.0), width, height, std::max(width, kLeastWidth), 0.0, {}};
+}
+
+void check_values(const Grid& grid, const std::vector<double>& values) {
+  require(values.size() == grid.size(), "a panel needs one value per neuron");
+  require(std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }),
+          "a panel's values must be finite");
 }
 
 void add_note(PanelFrame& frame, const std::string& note) {
+  add_note(frame, note, frame.cells.grid().topology());
+}
+
+void add_note(PanelFrame& frame, const std::string& note, Topology topology) {
   frame.note_lines =
-      wrapped(with_topology(note, frame.cells.grid()), frame.width, kNoteSize, kMostNoteLines);
+      wrapped(with_topology(note, topology), frame.width, kNoteSize, kMostNoteLines);
 }
 
 void draw_frame(SvgWriter& svg, const PanelFrame& frame) {

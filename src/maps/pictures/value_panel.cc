@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "maps/svg/colour_bar.h"
+#include "maps/pictures/outlines.h"
 #include "maps/svg/text_layout.h"
 #include "somato/core/check.h"
 
@@ -27,26 +27,33 @@ void draw_numbers(SvgWriter& svg, const PanelFrame& frame, const ValuePanel& pan
   svg.close_group();
 }
 
-void draw_bar(SvgWriter& svg, const PanelFrame& frame, const ValueRange& range) {
-  const double width = std::max(frame.cells.width(), 160.0);
-  draw_colour_bar(svg, {(frame.width - width) / 2, frame.foot_top()}, width, range);
+ValueRange limits_of(const ValuePanel& panel) {
+  if (!panel.limits) return range_of(panel.values);
+  return {panel.limits->least, panel.limits->greatest};
 }
 
 }  // namespace
 
+void draw_bar(SvgWriter& svg, const PanelFrame& frame, const ValueRange& range) {
+  const double width = std::max(frame.map_width, 160.0);
+  draw_colour_bar(svg, {(frame.width - width) / 2, frame.foot_top()}, width, range);
+}
+
 PanelFrame frame_of(const ValuePanel& panel) {
   PanelFrame frame = make_frame(panel.title, panel.grid);
-  require(panel.values.size() == panel.grid.size(), "a panel needs one value per neuron");
-  const auto is_finite = [](double value) { return std::isfinite(value); };
-  require(std::all_of(panel.values.begin(), panel.values.end(), is_finite),
-          "a panel's values must be finite");
+  check_values(panel.grid, panel.values);
+  check_clusters(panel.grid, panel.clusters);
+  require(!panel.limits || (std::isfinite(panel.limits->least) &&
+                            std::isfinite(panel.limits->greatest) &&
+                            panel.limits->least <= panel.limits->greatest),
+          "a panel's limits must be finite and in ascending order");
   frame.foot_height = kColourBarHeight;
   add_note(frame, panel.note);
   return frame;
 }
 
 void draw_panel(SvgWriter& svg, const PanelFrame& frame, const ValuePanel& panel) {
-  const ValueRange range = range_of(panel.values);
+  const ValueRange range = limits_of(panel);
   std::vector<Colour> fills;
   fills.reserve(panel.values.size());
   for (const double value : panel.values) fills.push_back(sequential_colour(range.place_of(value)));
@@ -54,6 +61,7 @@ void draw_panel(SvgWriter& svg, const PanelFrame& frame, const ValuePanel& panel
   draw_cells(svg, frame, fills, [&](std::size_t neuron) {
     return place_of(panel.grid, neuron) + ": " + readable_number(panel.values[neuron]);
   });
+  draw_outlines(svg, frame.cells, frame.map_corner(), panel.clusters);
   if (panel.write_values) draw_numbers(svg, frame, panel, fills);
   draw_bar(svg, frame, range);
 }

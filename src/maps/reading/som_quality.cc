@@ -94,6 +94,11 @@ std::vector<double> edge_distances(const Som& som) {
   return distances;
 }
 
+double neuron_distance(const Som& som, std::size_t first, std::size_t second) {
+  require(first < som.neurons() && second < som.neurons(), "the neuron is not on the map");
+  return weight_distance(som, first, second);
+}
+
 std::vector<double> component_plane(const Som& som, std::size_t element) {
   require(element < som.input_size(), "component_plane: the map has no such input element");
   std::vector<double> plane(som.neurons());

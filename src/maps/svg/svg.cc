@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/core/elementary.h"
 #include "maps/svg/characters.h"
 #include "somato/core/check.h"
 
@@ -17,7 +18,8 @@ std::string attribute(std::string_view name, std::string_view value) {
 
 std::string attributes_of(const Paint& paint) {
   return attribute("fill", paint.fill) + attribute("stroke", paint.stroke) +
-         (paint.stroke_width > 0 ? attribute("stroke-width", svg_number(paint.stroke_width)) : "");
+         (paint.stroke_width > 0 ? attribute("stroke-width", svg_number(paint.stroke_width)) : "") +
+         attribute("stroke-dasharray", paint.dashes);
 }
 
 std::string transform_of(Point offset, Point scale) {
@@ -42,6 +44,12 @@ const char* name_of(Anchor anchor) {
       return "end";
   }
   SOMATO_ASSERT(false);
+}
+
+// The point of a circle, in turns clockwise from the top.
+Point on_circle(Point centre, double radius, double turns) {
+  return {centre.x + radius * cosine_of_turns(turns - 0.25),
+          centre.y - radius * cosine_of_turns(turns)};
 }
 
 const char* entity_of(char character) {
@@ -140,6 +148,19 @@ void SvgWriter::polygon(const std::vector<Point>& corners, const Paint& paint,
   }
   svg_ += "<polygon" + attribute("points", points);
   end_shape("polygon", paint, tooltip);
+}
+
+void SvgWriter::sector(Point centre, double radius, double from, double to, const Paint& paint,
+                       std::string_view tooltip) {
+  require(from >= 0 && from < to && to <= 1, "a sector lies between 0 and 1 turns");
+  if (to - from > 0.9999) return circle(centre, radius, paint, tooltip);
+  const Point start = on_circle(centre, radius, from);
+  const Point end = on_circle(centre, radius, to);
+  svg_ += fmt::format(R"(<path d="M{} {}L{} {}A{} {} 0 {} 1 {} {}Z")", svg_number(centre.x),
+                      svg_number(centre.y), svg_number(start.x), svg_number(start.y),
+                      svg_number(radius), svg_number(radius), to - from > 0.5 ? 1 : 0,
+                      svg_number(end.x), svg_number(end.y));
+  end_shape("path", paint, tooltip);
 }
 
 void SvgWriter::segments(const std::vector<Point>& ends, const Paint& paint) {

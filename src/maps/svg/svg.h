@@ -17,6 +17,7 @@ struct Paint {
   std::string fill{};         ///< A colour such as `#rrggbb`, or `none`.
   std::string stroke{};       ///< The same for the outline.
   double stroke_width = 0.0;  ///< In pixels; 0 leaves it to the group.
+  std::string dashes{};       ///< Lengths of dashes and gaps, such as "4 3"; empty: inherited.
 };
 
 /// Alignment of a text relative to its point.
@@ -51,6 +52,11 @@ class SvgWriter {
   void circle(Point centre, double radius, const Paint& paint = {}, std::string_view tooltip = {});
   void polygon(const std::vector<Point>& corners, const Paint& paint = {},
                std::string_view tooltip = {});
+
+  /// A sector of a circle, clockwise from one angle to another one, in turns from the top; from 0 to
+  /// 1 is a circle. Throws InvalidArgument unless 0 <= from < to <= 1.
+  void sector(Point centre, double radius, double from, double to, const Paint& paint = {},
+              std::string_view tooltip = {});
 
   /// Straight lines between each pair of points 2i and 2i + 1, as one shape.
   void segments(const std::vector<Point>& ends, const Paint& paint = {});

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "maps/pictures/channel_places.h"
+#include "views/skins/channel_places.h"
 #include "recordings/explorations/recording_json.h"
 
 namespace somato::live {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "maps/pictures/channel_places.h"
+#include "views/skins/channel_places.h"
 #include "studies/results/results_json.h"
 #include "systems/graph/graph_json.h"
 #include "views/report/curves.h"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "maps/pictures/channel_places.h"
+#include "views/skins/channel_places.h"
 #include "somato/core/result.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"

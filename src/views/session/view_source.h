@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/pictures/channel_places.h"
+#include "views/skins/channel_places.h"
 #include "recordings/file/growing_recording.h"
 #include "somato/bodies/explorer.h"
 #include "somato/bodies/exploring.h"

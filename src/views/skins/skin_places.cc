@@ -1,4 +1,4 @@
-#include "maps/pictures/skin_places.h"
+#include "views/skins/skin_places.h"
 
 #include <algorithm>
 #include <cmath>

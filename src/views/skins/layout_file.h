@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/pictures/channel_places.h"
+#include "views/skins/channel_places.h"
 #include "somato/core/parameter.h"
 
 namespace somato {

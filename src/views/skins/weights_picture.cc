@@ -1,4 +1,4 @@
-#include "maps/pictures/weights_picture.h"
+#include "views/skins/weights_picture.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "maps/pictures/map_panels.h"
-#include "maps/pictures/skin_picture.h"
+#include "views/skins/skin_picture.h"
 #include "somato/core/check.h"
 #include "somato/core/parameter.h"
 

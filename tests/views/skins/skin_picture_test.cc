@@ -1,4 +1,4 @@
-#include "maps/pictures/skin_picture.h"
+#include "views/skins/skin_picture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "maps/pictures/skin_picture.h"
+#include "views/skins/skin_picture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "maps/pictures/skin_layout.h"
+#include "views/skins/skin_layout.h"
 #include "maps/svg/colour_bar.h"
 #include "maps/svg/colours.h"
 #include "maps/svg/svg.h"

@@ -1,4 +1,4 @@
-#include "maps/pictures/weights_picture.h"
+#include "views/skins/weights_picture.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/pictures/skin_places.h"
+#include "views/skins/skin_places.h"
 
 namespace somato {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/pictures/skin_places.h"
+#include "views/skins/skin_places.h"
 #include "somato/core/result.h"
 
 namespace somato {

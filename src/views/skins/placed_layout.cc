@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "maps/pictures/skin_layout.h"
+#include "views/skins/skin_layout.h"
 
 namespace somato {
 namespace {

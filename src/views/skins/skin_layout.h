@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/pictures/skin_places.h"
+#include "views/skins/skin_places.h"
 #include "maps/svg/svg.h"
 
 namespace somato {

@@ -1,4 +1,4 @@
-#include "maps/pictures/grid_layout.h"
+#include "views/skins/grid_layout.h"
 
 #include <algorithm>
 #include <charconv>

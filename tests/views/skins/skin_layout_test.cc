@@ -1,4 +1,4 @@
-#include "maps/pictures/skin_layout.h"
+#include "views/skins/skin_layout.h"
 
 #include <gtest/gtest.h>
 

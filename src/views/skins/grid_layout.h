@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/pictures/skin_layout.h"
+#include "views/skins/skin_layout.h"
 
 namespace somato {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "maps/pictures/channel_places.h"
+#include "views/skins/channel_places.h"
 #include "somato/maps/som.h"
 
 namespace somato {

@@ -1,4 +1,4 @@
-#include "maps/pictures/layout_file.h"
+#include "views/skins/layout_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "maps/pictures/channel_places.h"
+#include "views/skins/channel_places.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "maps/pictures/skin_layout.h"
+#include "views/skins/skin_layout.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "maps/pictures/grid_layout.h"
+#include "views/skins/grid_layout.h"
 
 namespace somato {
 namespace {

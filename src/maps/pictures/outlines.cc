@@ -1,0 +1,49 @@
+#include "maps/pictures/outlines.h"
+
+#include <algorithm>
+
+#include "somato/core/check.h"
+
+namespace somato {
+
+void check_clusters(const Grid& grid, const std::vector<std::size_t>& clusters) {
+  require(clusters.empty() || clusters.size() == grid.size(),
+          "a panel needs the cluster of each neuron, or none");
+}
+
+std::vector<Point> in_pixels(const Cells& cells, std::vector<Point> points) {
+  for (Point& point : points) point = {point.x * cells.unit().x, point.y * cells.unit().y};
+  return points;
+}
+
+void draw_outlines(SvgWriter& svg, const Cells& cells, Point corner,
+                   const std::vector<std::size_t>& clusters) {
+  if (clusters.empty()) return;
+  const std::vector<Point> ends = in_pixels(cells, cells.borders(clusters).between_areas);
+  const double width = std::clamp(cells.pixels() * 0.09, 1.2, 2.8);
+  svg.open_group("outlines", corner, {.fill = "none"});
+  if (!ends.empty()) {
+    svg.segments(ends, {.stroke = "#ffffff", .stroke_width = 2.2 * width});
+    svg.segments(ends, {.stroke = "#111111", .stroke_width = width});
+  }
+  svg.close_group();
+}
+
+void draw_borders(SvgWriter& svg, const Cells& cells, Point corner,
+                  const std::vector<std::size_t>& area, const std::string& line_colour) {
+  const std::vector<std::size_t> one_area(cells.grid().size(), 0);
+  const Cells::Borders borders = cells.borders(area.empty() ? one_area : area);
+  constexpr double kLeastCellWithLines = 8.0;
+  if (cells.pixels() >= kLeastCellWithLines) {
+    svg.open_group("lines", corner, {.fill = "none", .stroke = line_colour, .stroke_width = 0.6});
+    svg.segments(in_pixels(cells, borders.within_areas));
+    svg.close_group();
+  }
+  const double width = std::clamp(cells.pixels() * 0.06, 0.6, 1.6);
+  svg.open_group("borders", corner, {.fill = "none", .stroke = "#333333", .stroke_width = width});
+  svg.segments(in_pixels(cells, borders.around_map));
+  svg.segments(in_pixels(cells, borders.between_areas));
+  svg.close_group();
+}
+
+}  // namespace somato

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "maps/pictures/cells.h"
+#include "maps/svg/svg.h"
+
+namespace somato {
+
+/// Throws InvalidArgument unless there are no clusters or one for each neuron.
+void check_clusters(const Grid& grid, const std::vector<std::size_t>& clusters);
+
+/// Draws the outlines between clusters as dark lines with a white rim, which can be seen on all
+/// colours; nothing without clusters. `corner` is that of the cells.
+void draw_outlines(SvgWriter& svg, const Cells& cells, Point corner,
+                   const std::vector<std::size_t>& clusters);
+
+/// Draws a border around the map and between areas, and lines between cells of one area unless they
+/// are small. `area` is that of each neuron; empty: all cells are one area.
+void draw_borders(SvgWriter& svg, const Cells& cells, Point corner,
+                  const std::vector<std::size_t>& area, const std::string& line_colour);
+
+/// Points of Cells in pixels. Lines are scaled here and not by a group, whose scale would draw
+/// slanting lines thinner.
+std::vector<Point> in_pixels(const Cells& cells, std::vector<Point> points);
+
+}  // namespace somato
