@@ -92,7 +92,10 @@ void Player::guarded(const std::function<void()>& work) {
     rest();
     replay_.give_up();
     body_.stop();
-    if (!body_.is_exploring()) end_growing();
+    if (!body_.is_exploring()) {
+      if (growing_) kept_.discard_next();
+      end_growing();
+    }
     publish_state();
     replay_.tap().finish(fail(ErrorKind::kData, problem_));
   }
@@ -127,35 +130,35 @@ bool Player::is_complete() const {
 
 Result<void> Player::handle(const ViewCommand& command) {
   audience_.take_command();
-  return std::visit(
-      Overloaded{
-          [&](const PlayCommand&) { return play(); },
-          [&](const PauseCommand&) -> Result<void> {
-            rest();
-            return {};
-          },
-          [&](const StepCommand& one) { return step(one.frames); },
-          [&](const SeekCommand& one) { return seek(one); },
-          [&](const SpeedCommand& one) -> Result<void> {
-            pace_.speed = one.speed;
-            return {};
-          },
-          [&](const ThingCommand& one) { return choose_thing(one.name); },
-          [&](const PlacementCommand& one) { return place(one.placement); },
-          [&](const ExploreCommand&) { return begin_exploring(); },
-          [&](const NameCommand& one) { return name(one); },
-          [&](const UndoNameCommand& one) { return undo_name(one.exploration); },
-          [&](const PlanCommand& one) -> Result<void> {
-            kept_.plan(one.each);
-            return {};
-          },
-          [&](const SystemCommand& one) { return chosen_.choose(one.name); },
-          [&](const DismissCommand&) -> Result<void> {
-            problem_.clear();
-            return {};
-          },
-          [&](const auto&) -> Result<void> { return not_now("the command is not supported"); }},
-      command);
+  return std::visit(Overloaded{[&](const PlayCommand&) { return play(); },
+                               [&](const PauseCommand&) -> Result<void> {
+                                 rest();
+                                 return {};
+                               },
+                               [&](const StepCommand& one) { return step(one.frames); },
+                               [&](const SeekCommand& one) { return seek(one); },
+                               [&](const SpeedCommand& one) -> Result<void> {
+                                 pace_.speed = one.speed;
+                                 return {};
+                               },
+                               [&](const ThingCommand& one) { return choose_thing(one.name); },
+                               [&](const PlacementCommand& one) { return place(one.placement); },
+                               [&](const ExploreCommand&) { return begin_exploring(); },
+                               [&](const NameCommand& one) { return name(one); },
+                               [&](const UndoNameCommand& one) { return undo_name(one); },
+                               [&](const PlanCommand& one) -> Result<void> {
+                                 kept_.plan(one.each);
+                                 return {};
+                               },
+                               [&](const SystemCommand& one) { return chosen_.choose(one.name); },
+                               [&](const DismissCommand&) -> Result<void> {
+                                 problem_.clear();
+                                 return {};
+                               },
+                               [&](const auto&) -> Result<void> {
+                                 return not_now("the command is not supported");
+                               }},
+                    command);
 }
 
 void Player::on_viewers(std::size_t viewers) {
@@ -362,7 +365,7 @@ void Player::publish_state() {
 }
 
 std::string Player::state_text() const {
-  ViewState state{source_, replay_.reader().picture(), names(), replay_.played()};
+  ViewState state{source_, replay_.reader().picture(), kept_, replay_.played()};
   state.labels = shown_labels();
   state.first_frame = replay_.first();
   state.frame = replay_.next();
@@ -530,10 +533,13 @@ void Player::report(const Result<void>& saved) {
 Result<void> Player::name(const NameCommand& command) {
   const PlayedExploration* played = replay_.played();
   if (played == nullptr) return not_now("there is no exploration to name");
-  const std::size_t index = command.exploration.value_or(played->index);
+  std::size_t index = played->index;
+  if (command.id) {
+    SOMATO_TRY(index, kept_.index_of(*command.id));
+  }
   if (index < kept_.first()) return not_now("it is no longer kept (--page-memory)");
   if (index != played->index && index >= kept_.count()) {
-    return not_now(fmt::format("there is no exploration {}", index + 1));
+    return not_now("there is no such exploration");
   }
   auto named = kept_.name(index, command.label);
   if (!named && named.error().kind != ErrorKind::kSystem) return named;
@@ -541,11 +547,14 @@ Result<void> Player::name(const NameCommand& command) {
   return check_saved(named);
 }
 
-// Another page may have given another name meanwhile.
-Result<void> Player::undo_name(std::size_t exploration) {
+// Another page may have given another name meanwhile, or taken this one back.
+Result<void> Player::undo_name(const UndoNameCommand& command) {
   if (names().last() == nullptr) return not_now("there is no name to undo");
   const GivenName last = *names().last();
-  if (last.exploration != exploration) return not_now("another name was given meanwhile");
+  if (kept_.id(last.exploration) != command.id || last.label != command.label) {
+    return not_now(fmt::format("the name that was given last is now {} = '{}' of exploration {}",
+                               last.label.name, last.label.value, last.exploration + 1));
+  }
   auto undone = kept_.take_back_name();
   if (!undone && undone.error().kind != ErrorKind::kSystem) return undone;
   forget_taught(last);
@@ -566,7 +575,8 @@ void Player::forget_taught(const GivenName& name) {
 Result<void> Player::check_saved(const Result<void>& saved) {
   report(saved);
   if (source_.file == nullptr || kept_.saves()) return {};
-  return not_now("the change is in the session, but not on the disk: its file cannot be written");
+  return fail(ErrorKind::kSystem,
+              "the change is in the session, but not on the disk: its file cannot be written");
 }
 
 void Player::teach(std::size_t exploration, const std::string& name) {

@@ -120,7 +120,7 @@ class Player {
   void fail_exploring(const Error& error);
   Result<void> keep(Exploration exploration, std::shared_ptr<KeptScene> scene);
   Result<void> name(const NameCommand& command);
-  Result<void> undo_name(std::size_t exploration);
+  Result<void> undo_name(const UndoNameCommand& command);
   void forget_taught(const GivenName& name);
   Result<void> check_saved(const Result<void>& saved);
   std::vector<Label> shown_labels() const;
