@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "bodies/body/driving.h"
-#include "bodies/body/frame_log.h"
+#include "recordings/explorations/growing_channel.h"
 
 namespace somato {
 namespace {

@@ -2,36 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <span>
 #include <utility>
 
 #include "bodies/body/driving.h"
+#include "recordings/explorations/growing_channel.h"
 #include "somato/core/check.h"
 
 namespace somato {
-
-void append_readings(Channel& channel, const Matrix<float>& frames) {
-  const std::size_t before = channel.frames.values().size();
-  channel.frames.append(frames);
-  const std::span<float> added = channel.frames.values().subspan(before);
-  const auto is_missing = [](float value) { return std::isnan(value); };
-  const bool has_gaps = std::ranges::any_of(added, is_missing);
-  if (channel.valid.empty() && !has_gaps) return;
-  if (channel.valid.empty()) {
-    channel.valid =
-        Matrix<std::uint8_t>(channel.frames.rows() - frames.rows(), frames.columns(), 1);
-  }
-  channel.valid.append(Matrix<std::uint8_t>(frames.rows(), frames.columns(), 1));
-  const std::span<std::uint8_t> marks = channel.valid.values().subspan(before);
-  for (std::size_t i = 0; i < added.size(); ++i) {
-    if (!is_missing(added[i])) continue;
-    added[i] = 0.0F;
-    marks[i] = 0;
-  }
-}
 
 FrameTimes::FrameTimes(const BodyState& state, std::size_t sensor, double rate)
     : frames_(state.readings[sensor].rows()), rate_(rate), end_(state.time) {

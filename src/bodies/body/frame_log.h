@@ -30,10 +30,6 @@ class FrameTimes {
   double end_;
 };
 
-/// Appends frames to a channel with as many elements. A NaN is a reading that is missing: its value
-/// is then 0, and the channel marks it.
-void append_readings(Channel& channel, const Matrix<float>& frames);
-
 /// Collects the readings of a body during selected steps.
 class FrameLog {
  public:

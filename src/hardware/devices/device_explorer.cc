@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "bodies/body/driving.h"
-#include "bodies/body/frame_log.h"
 #include "bodies/objects/exploration_source.h"
 #include "hardware/devices/device_io.h"
+#include "recordings/explorations/growing_channel.h"
 
 namespace somato::devices {
 namespace {

@@ -1,6 +1,8 @@
 #include "recordings/explorations/growing_channel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,33 @@ void add_frame(Channel& channel, std::span<const float> values, std::optional<do
   const std::span<std::uint8_t> marks = channel.valid.add_row();
   std::fill(marks.begin(), marks.end(), std::uint8_t{1});
   std::copy(valid.begin(), valid.end(), marks.begin());
+}
+
+void append_readings(Channel& channel, const Matrix<float>& readings) {
+  std::vector<float> values(readings.columns());
+  std::vector<std::uint8_t> valid(readings.columns());
+  for (std::size_t frame = 0; frame < readings.rows(); ++frame) {
+    const std::span<const float> read = readings.row(frame);
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      valid[i] = std::isnan(read[i]) ? 0 : 1;
+      values[i] = valid[i] == 0 ? 0.0F : read[i];
+    }
+    const bool is_whole = std::ranges::find(valid, 0) == valid.end();
+    add_frame(channel, values, {}, is_whole ? std::span<const std::uint8_t>{} : valid);
+  }
+}
+
+Matrix<float> readings_of(const Channel& channel, std::size_t first, std::size_t count) {
+  const std::size_t columns = channel.frames.columns();
+  const auto part = [&](auto all) { return all.subspan(first * columns, count * columns); };
+  const std::span<const float> values = part(channel.frames.values());
+  Matrix<float> readings(count, columns, {values.begin(), values.end()});
+  if (channel.valid.empty()) return readings;
+  const std::span<const std::uint8_t> valid = part(channel.valid.values());
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    if (valid[i] == 0) readings.values()[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  return readings;
 }
 
 Channel described(Channel collected, const ChannelDescription& description, std::size_t elements) {

@@ -15,6 +15,12 @@ namespace somato {
 void add_frame(Channel& channel, std::span<const float> values, std::optional<double> time,
                std::span<const std::uint8_t> valid = {});
 
+/// Adds frames in which NaN stands for a missing value; times are not added. Throws as add_frame().
+void append_readings(Channel& channel, const Matrix<float>& readings);
+
+/// `count` frames of a channel from `first` on, with NaN in the place of missing values.
+Matrix<float> readings_of(const Channel& channel, std::size_t first, std::size_t count);
+
 /// The channel of that description, of `elements` elements, with the frames of `collected`: their
 /// times only if the description states that they are known.
 Channel described(Channel collected, const ChannelDescription& description, std::size_t elements);

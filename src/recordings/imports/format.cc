@@ -114,7 +114,8 @@ const Declarations<RecordingParameters>& RecordingParameters::declarations() {
                "Column of a table with the labels, by name or number from 1. The following keys "
                "are for tables, too, whose rows are explorations.")
           .add("labels", &P::labels, "", Range::any(),
-               "Text file with the labels of a table's rows, one per line, instead of a column.")
+               "Text file with the labels of a table's rows, one per line, instead of a column; a "
+               "relative path is one from the working folder, as in flags.")
           .add("columns_to_use", &P::columns_to_use, "", Range::any(),
                "Columns of a table to use as features: names or patterns such as 'tax_*', or "
                "numbers from 1 and ranges such as 2..17 of columns without names. Empty: all.")

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <string_view>
 
 #include "base/archives/little_endian.h"
 #include "base/arrays/npy_header.h"
+#include "recordings/explorations/growing_channel.h"
 
 namespace somato {
 namespace {
@@ -65,12 +65,9 @@ std::string frame_array(const Channel& channel) {
   std::vector<std::size_t> shape = channel.frame_shape();
   shape.insert(shape.begin(), channel.frames.rows());
   std::string bytes = npy_file_start("<f4", shape);
-  const std::span<const float> values = channel.frames.values();
-  bytes.reserve(bytes.size() + values.size_bytes());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool is_valid = channel.valid.empty() || channel.valid.values()[i] != 0;
-    append_little_endian(bytes, is_valid ? values[i] : std::numeric_limits<float>::quiet_NaN());
-  }
+  const Matrix<float> readings = readings_of(channel, 0, channel.frames.rows());
+  bytes.reserve(bytes.size() + readings.values().size_bytes());
+  for (const float value : readings.values()) append_little_endian(bytes, value);
   return bytes;
 }
 

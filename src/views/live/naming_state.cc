@@ -17,10 +17,19 @@ Json next_json(const NameCounts& counts, const std::string& label) {
   return {{"name", next->name}, {"number", next->explorations}};
 }
 
-Json last_json(const GivenName* last) {
+Json last_json(const KeptExplorations& kept) {
+  const GivenName* last = kept.names().last();
   if (last == nullptr) return {};
-  return {
-      {"exploration", last->exploration}, {"label", last->label.name}, {"name", last->label.value}};
+  return {{"exploration", last->exploration},
+          {"id", kept.id(last->exploration)},
+          {"label", last->label.name},
+          {"name", last->label.value}};
+}
+
+// Only of what is kept, and can be named.
+Json id_json(const KeptExplorations& kept, const PlayedExploration* played) {
+  if (played == nullptr || played->index < kept.first()) return {};
+  return kept.id(played->index);
 }
 
 }  // namespace
@@ -33,8 +42,9 @@ Json naming_json(const KeptExplorations& kept, const PlayedExploration* played,
   return {{"names", names_json(counts, label)},
           {"each", counts.each() > 0 ? Json(counts.each()) : Json()},
           {"next", next_json(counts, label)},
+          {"id", id_json(kept, played)},
           {"given", given ? Json(*given) : Json()},
-          {"last", last_json(kept.names().last())}};
+          {"last", last_json(kept)}};
 }
 
 }  // namespace somato::live

@@ -52,8 +52,7 @@ Strips strips_of(const PlayedExploration& played) {
     for (const std::size_t moment : strips.frame) {
       const std::size_t come = timeline.frames(i, moment);
       const std::size_t kept = come == 0 ? 0 : come - timeline.dropped(i);
-      const auto values = shown_values(channel, timeline.rate(i), kept);
-      strip.values.emplace_back(values.begin(), values.end());
+      strip.values.push_back(shown_values(channel, timeline.rate(i), kept));
     }
   }
   return strips;

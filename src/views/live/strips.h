@@ -14,7 +14,8 @@ namespace somato::live {
 struct Strips {
   struct Channel {
     std::string name;
-    std::vector<std::vector<float>> values;  ///< At each moment; empty before its first frame.
+    std::vector<std::vector<float>>
+        values;  ///< At each moment; empty before its first frame. NaN: missing.
   };
 
   std::size_t exploration = 0;

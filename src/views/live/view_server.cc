@@ -74,6 +74,14 @@ HttpResponse error_response(const Error& error) {
   return json_response(live::json_text({{"error", to_string(error)}}), 400);
 }
 
+// A change that is made, but not saved, is not refused.
+HttpResponse answer_of_command(const Result<void>& done) {
+  if (done) return json_response(R"({"ok":true})");
+  live::Json answer{{"error", to_string(done.error())}};
+  if (done.error().kind == ErrorKind::kSystem) answer["unsaved"] = true;
+  return json_response(live::json_text(answer), 400);
+}
+
 HttpResponse answer_of(Result<std::string> answer) {
   return answer ? json_response(std::move(*answer)) : error_response(answer.error());
 }
@@ -157,8 +165,7 @@ class ViewServer::Impl {
     if (request.header("content-type") != "application/json") {
       return refused(415, "Commands must have the content type application/json.");
     }
-    const auto done = session_.command(request.body);
-    return done ? json_response(R"({"ok":true})") : error_response(done.error());
+    return answer_of_command(session_.command(request.body));
   }
 
   HttpResponse answer_get(const HttpRequest& request) {

@@ -43,8 +43,8 @@ class ViewSession {
   /// The losses of the session. After stop().
   Losses losses() const;
 
-  /// Does what a command in JSON says. From any thread. Errors (kUsage): no such command, or one
-  /// that cannot be done now.
+  /// Does what a command in JSON says. From any thread. Errors: kUsage for no such command, or one
+  /// that cannot be done now; kSystem if the change was made, but its file cannot be written.
   Result<void> command(std::string_view json);
 
   /// The state in JSON as it is now. From any thread. Errors (kUsage): the view is busy or about to

@@ -15,11 +15,13 @@ Json or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
-Json explorations_json(const ViewSource& source, const GivenNames& names) {
+Json explorations_json(const ViewSource& source, const KeptExplorations& kept) {
   Json explorations = Json::array();
   for (const Exploration& one : source.recording.explorations) {
     const std::size_t index = source.first + explorations.size();
-    Json json{{"index", index}, {"labels", detail::labels_json(names.labels(index, one.labels))}};
+    Json json{{"index", index},
+              {"id", kept.id(index)},
+              {"labels", detail::labels_json(kept.names().labels(index, one.labels))}};
     if (index < source.origins.size()) json["recording"] = source.origins[index];
     explorations.push_back(std::move(json));
   }
@@ -115,7 +117,7 @@ Json state_json(const ViewState& state) {
   Json json{{"version", 1},
             {"source", state.source.explorer ? "body" : "recording"},
             {"name", state.source.name},
-            {"explorations", explorations_json(state.source, state.names)},
+            {"explorations", explorations_json(state.source, state.kept)},
             {"dropped", state.source.first},
             {"exploration", state.played != nullptr ? Json(state.played->index) : Json()},
             {"labels", detail::labels_json(state.labels)},

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "recordings/explorations/given_names.h"
 #include "somato/bodies/placement.h"
 #include "views/replay/played_exploration.h"
 #include "views/session/losses.h"
@@ -13,6 +12,7 @@
 #include "views/session/view_json.h"
 #include "views/session/view_source.h"
 #include "views/session/viewed_system.h"
+#include "views/teaching/kept_explorations.h"
 
 namespace somato::live {
 
@@ -20,7 +20,7 @@ namespace somato::live {
 struct ViewState {
   const ViewSource& source;
   const SystemPicture& picture;
-  const GivenNames& names;
+  const KeptExplorations& kept;
   const PlayedExploration* played = nullptr;  ///< Or nothing.
   std::vector<Label> labels = {};             ///< The labels of what is played.
   std::size_t first_frame = 0;                ///< The first that is kept.

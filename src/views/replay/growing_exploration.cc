@@ -1,6 +1,5 @@
 #include "views/replay/growing_exploration.h"
 
-#include <cmath>
 #include <utility>
 
 #include "bodies/body/driving.h"
@@ -58,8 +57,6 @@ void GrowingExploration::append(BodyStep step) {
   for (std::size_t i = 0; i < step.state.readings.size(); ++i) {
     Matrix<float>& taken = step.state.readings[i];
     if (taken.rows() == 0) taken = std::move(last_.state.readings[i]);
-    // A missing reading is shown as 0, as in the exploration.
-    for (float& value : taken.values()) value = std::isnan(value) ? 0.0F : value;
   }
   last_ = std::move(step);
 }

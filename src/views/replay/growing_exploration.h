@@ -38,7 +38,7 @@ class GrowingExploration {
   double seconds_to(const BodyStep& step) const;
 
   /// The last step; its time counts from the first one. A sensor that read nothing during the step
-  /// has its readings of before.
+  /// has its readings of before; NaN stands for a missing value.
   const BodyStep& last() const { return last_; }
 
   /// Valid as long as this lives.

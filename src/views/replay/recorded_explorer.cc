@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -32,14 +31,7 @@ class WaitingFrames {
 
   // The oldest ones, with NaN where a value is missing.
   Matrix<float> take(std::size_t count) {
-    const std::size_t first = taken_ * elements();
-    const std::size_t size = count * elements();
-    const auto values = channel_.frames.values().subspan(first, size);
-    Matrix<float> frames(count, elements(), std::vector<float>(values.begin(), values.end()));
-    for (std::size_t i = 0; i < size && !channel_.valid.empty(); ++i) {
-      if (channel_.valid.values()[first + i] != 0) continue;
-      frames.values()[i] = std::numeric_limits<float>::quiet_NaN();
-    }
+    Matrix<float> frames = readings_of(channel_, taken_, count);
     forget(count);
     return frames;
   }

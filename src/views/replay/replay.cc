@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -130,7 +131,9 @@ void Replay::show_between(const BodyStep& step) {
   for (std::size_t i = 0; i < shown.channels.size(); ++i) {
     const Matrix<float>& read = step.state.readings[i];
     auto& values = shown.channels[i].second;
-    if (values.size() <= read.columns() && read.rows() > 0) values = read.row(read.rows() - 1);
+    if (values.size() > read.columns() || read.rows() == 0) continue;
+    const std::span<const float> latest = read.row(read.rows() - 1);
+    values.assign(latest.begin(), latest.end());
   }
   publish(shown);
 }

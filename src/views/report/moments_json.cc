@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <vector>
 
+#include "recordings/explorations/growing_channel.h"
 #include "recordings/explorations/recording_json.h"
 #include "studies/results/short_number.h"
 #include "views/report/packed_json.h"
@@ -76,16 +75,6 @@ std::vector<std::size_t> evenly_chosen(std::size_t frames, std::size_t moment, s
   return chosen;
 }
 
-// Missing values are NaN.
-std::vector<float> known_values(const Channel& channel, std::size_t frame) {
-  const std::span<const float> row = channel.frames.row(frame);
-  std::vector<float> values(row.begin(), row.end());
-  for (std::size_t i = 0; i < values.size() && !channel.valid.empty(); ++i) {
-    if (channel.valid(frame, i) == 0) values[i] = std::numeric_limits<float>::quiet_NaN();
-  }
-  return values;
-}
-
 Json moment_channel(const Channel& channel, const Channel* touch, std::size_t most) {
   const std::size_t moment = frame_of(channel, touch);
   const std::size_t columns = channel.frames.columns();
@@ -94,14 +83,14 @@ Json moment_channel(const Channel& channel, const Channel* touch, std::size_t mo
   for (const std::size_t frame : evenly_chosen(channel.frames.rows(), moment, most)) {
     times.push_back(time_of(channel, frame));
     if (columns > kMostElements) continue;
-    const std::vector<float> values = known_values(channel, frame);
-    series.insert(series.end(), values.begin(), values.end());
+    const Matrix<float> values = readings_of(channel, frame, 1);
+    series.insert(series.end(), values.values().begin(), values.values().end());
   }
   return {{"channel", channel_json(channel)},
           {"rate", short_number(channel.frame_rate())},
           {"frame", moment},
           {"time", short_number(time_of(channel, moment))},
-          {"values", short_numbers(std::span<const float>(known_values(channel, moment)))},
+          {"values", short_numbers(readings_of(channel, moment, 1).row(0))},
           {"times", packed_numbers(times, PackedBits::k16)},
           {"series", packed_rows(series, columns, PackedBits::k8)}};
 }

@@ -45,6 +45,7 @@ class JsonWriter {
   /// Five digits are more than a picture shows; most of what is sparse is 0.
   JsonWriter& numbers(std::span<const float> values);
 
+  /// All digits; NaN and infinity are null.
   JsonWriter& exact_numbers(std::span<const float> values);
 
   /// JSON knows no infinity, and nothing that is no number: that is null.

@@ -112,11 +112,24 @@ ViewCommand placement_of(CommandFields& fields) {
   return command;
 }
 
+Label label_of(CommandFields& fields) {
+  Label label;
+  label.name = fields.word("label");
+  label.value = fields.word("value");
+  return label;
+}
+
 ViewCommand name_of(CommandFields& fields) {
   NameCommand command;
-  command.label.name = fields.word("label");
-  command.label.value = fields.word("value");
-  command.exploration = fields.index_if_given("exploration");
+  command.label = label_of(fields);
+  command.id = fields.index_if_given("id");
+  return command;
+}
+
+ViewCommand undo_name_of(CommandFields& fields) {
+  UndoNameCommand command;
+  command.id = fields.index("id");
+  command.label = label_of(fields);
   return command;
 }
 
@@ -141,10 +154,7 @@ const std::vector<std::pair<std::string, Reader>>& readers() {
       {"placement", placement_of},
       {"explore", [](CommandFields&) -> ViewCommand { return ExploreCommand{}; }},
       {"name", name_of},
-      {"undo_name",
-       [](CommandFields& fields) -> ViewCommand {
-         return UndoNameCommand{fields.index("exploration")};
-       }},
+      {"undo_name", undo_name_of},
       {"plan", plan_of},
       {"system",
        [](CommandFields& fields) -> ViewCommand { return SystemCommand{fields.text("name")}; }},

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "bodies/objects/material_colour.h"
+#include "recordings/explorations/growing_channel.h"
 #include "systems/graph/graph_json.h"
 #include "views/session/json_writer.h"
 
@@ -122,12 +123,12 @@ bool comes_in_stretches(const Channel& channel, double rate) {
   return channel.frames.columns() == 1 && rate > kFast;
 }
 
-std::span<const float> shown_values(const Channel& channel, double rate, std::size_t come) {
+std::vector<float> shown_values(const Channel& channel, double rate, std::size_t come) {
   constexpr std::size_t kStretch = 512;
   if (come == 0) return {};
-  const std::size_t columns = channel.frames.columns();
   const std::size_t shown = comes_in_stretches(channel, rate) ? std::min(come, kStretch) : 1;
-  return channel.frames.values().subspan((come - shown) * columns, shown * columns);
+  const Matrix<float> latest = readings_of(channel, come - shown, shown);
+  return {latest.values().begin(), latest.values().end()};
 }
 
 Json thing_json(const ExploredThing& thing) {

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,7 +31,8 @@ struct ShownMoment {
   std::optional<std::size_t> frames;
   double time = 0.0;
   bool last = false;
-  std::vector<std::pair<std::string, std::span<const float>>> channels = {};
+  /// The values of each channel, with NaN in the place of missing ones.
+  std::vector<std::pair<std::string, std::vector<float>>> channels = {};
   std::vector<ScenePose> poses = {};
 };
 
@@ -40,8 +40,8 @@ struct ShownMoment {
 bool comes_in_stretches(const Channel& channel, double rate);
 
 /// The values that are shown of a channel with `come` frames so far: the latest frame or, for a
-/// channel that comes in stretches, the latest stretch.
-std::span<const float> shown_values(const Channel& channel, double rate, std::size_t come);
+/// channel that comes in stretches, the latest stretch; NaN in the place of missing ones.
+std::vector<float> shown_values(const Channel& channel, double rate, std::size_t come);
 
 /// The JSON as text; what is no UTF-8 is replaced.
 std::string json_text(const Json& json);

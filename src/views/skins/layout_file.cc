@@ -98,10 +98,26 @@ Result<std::string> media_type(const std::string& picture, const std::string& wh
                 "use a file with the extension .png, .jpg or .svg");
 }
 
+// The marks of the begin and the end of a file of that type.
+bool is_image(std::string_view bytes, std::string_view type) {
+  if (type == "image/png") {
+    return bytes.starts_with("\x89PNG\r\n\x1a\n") && bytes.find("IEND") != bytes.npos;
+  }
+  if (type == "image/jpeg") {
+    return bytes.starts_with("\xff\xd8\xff") && bytes.rfind("\xff\xd9") != bytes.npos;
+  }
+  const std::size_t root = bytes.find("<svg");
+  return root != bytes.npos && bytes.find('>', root) != bytes.npos;
+}
+
 Result<std::string> image_of(const LayoutKeys& keys, const fs::path& folder,
                              const std::string& where) {
   SOMATO_TRY(const auto type, media_type(keys.picture, where));
   SOMATO_TRY(const auto bytes, read_whole((folder / keys.picture).string(), kLargestPicture));
+  if (!is_image(bytes, type)) {
+    return refuse(fmt::format("the content of '{}' is not a complete {} image", keys.picture, type),
+                  where, "use a PNG, JPEG or SVG file whose extension says what it is");
+  }
   return fmt::format("data:{};base64,{}", type, base64(bytes));
 }
 

@@ -27,6 +27,18 @@ KeptExplorations::KeptExplorations(ViewSource& source)
       counts_(source.names, source.each),
       kept_(source.recording.explorations.size()) {
   for (std::size_t i = first(); i < count(); ++i) count_own(i, (*this)[i].labels);
+  next_id_ = first();
+  for (Kept& one : kept_) one.id = next_id_++;
+}
+
+Result<std::size_t> KeptExplorations::index_of(std::size_t id) const {
+  const auto found =
+      std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) { return one.id == id; });
+  if (found != kept_.end()) return first() + static_cast<std::size_t>(found - kept_.begin());
+  if (id == next_id_) return count();
+  if (id > next_id_) return fail(ErrorKind::kUsage, "there is no such exploration");
+  return fail(ErrorKind::kUsage,
+              "this exploration was discarded, or is no longer kept (--page-memory)");
 }
 
 // A file that failed cannot be written any more.
@@ -67,7 +79,7 @@ Result<void> KeptExplorations::add(Exploration exploration, std::shared_ptr<Kept
   count_own(count(), single.explorations[0].labels);
   explorations.push_back(std::move(single.explorations[0]));
   const std::size_t bytes = shrink(explorations.back()) + (scene ? scene->bytes() : 0);
-  kept_.push_back({std::move(scene), {}, bytes});
+  kept_.push_back({next_id_++, std::move(scene), {}, bytes});
   bytes_ += bytes;
   return {};
 }
@@ -86,6 +98,7 @@ Result<void> KeptExplorations::save_last() {
 Result<void> KeptExplorations::add_unkept() {
   count_own(count(), next_labels_);
   ++source_.first;
+  ++next_id_;
   names_.forget_before(first());
   if (source_.file == nullptr) return {};
   if (saves_) return count_saved(source_.file->keep_draft());
@@ -171,6 +184,7 @@ void KeptExplorations::recount(std::size_t index, const std::string& label, cons
 
 // An error of the file comes again with the next exploration.
 void KeptExplorations::discard_next() {
+  ++next_id_;
   draft_.reset();
   for (const Label& label : names_.labels(count(), {})) {
     if (names_.given(count(), label.name)) counts_.remove(label);

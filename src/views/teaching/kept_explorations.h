@@ -38,6 +38,14 @@ class KeptExplorations {
     return source_.recording.explorations[index - first()];
   }
 
+  /// Identifies an exploration that is kept, or the next one. Another exploration never has
+  /// the same number, while the index of one that is discarded is used again.
+  std::size_t id(std::size_t index) const { return index < count() ? at(index).id : next_id_; }
+
+  /// The index of that exploration. Errors (kUsage): it was discarded, is no longer kept, or has
+  /// not begun.
+  Result<std::size_t> index_of(std::size_t id) const;
+
   /// The next exploration begins, with these labels, and takes a step whose readings are recorded:
   /// both are saved at once. Errors: those of the file. After a system error nothing more is saved,
   /// without a further error, until another file is due and can be begun.
@@ -91,6 +99,7 @@ class KeptExplorations {
  private:
   // An exploration without its frames.
   struct Kept {
+    std::size_t id = 0;
     std::shared_ptr<KeptScene> scene;           // or nullptr
     std::optional<std::size_t> number_in_file;  // if it is there
     std::size_t bytes = 0;
@@ -114,6 +123,7 @@ class KeptExplorations {
   NameCounts counts_;
   std::vector<Label> next_labels_;  // of the next exploration, without given ones
   std::deque<Kept> kept_;
+  std::size_t next_id_ = 0;
   std::size_t bytes_ = 0;  // of those that the body made
 };
 

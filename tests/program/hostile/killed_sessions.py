@@ -115,11 +115,13 @@ class Session:
             ask("command", {"command": "explore"})
             while self.shown == before:
                 self.shown = len(ask("state")["explorations"])
-            own = ask("state")["explorations"][before]["labels"]["material"]
+            shown = ask("state")["explorations"][before]
+            own = shown["labels"]["material"]
             name = f"thing {self.shown}"
-            given = {"command": "name", "label": "material", "exploration": before}
-            ask("command", {**given, "value": "a name to be undone"})
-            ask("command", {"command": "undo_name", "exploration": before})
+            given = {"command": "name", "label": "material", "id": shown["id"]}
+            undone = {**given, "value": "a name to be undone"}
+            ask("command", undone)
+            ask("command", {**undone, "command": "undo_name"})
             self.names[before] = {own, name}  # which is on its way
             ask("command", {**given, "value": name})
             self.names[before] = {name}

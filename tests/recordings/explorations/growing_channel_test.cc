@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "somato/core/check.h"
@@ -21,6 +24,23 @@ TEST(GrowingChannel, MarksOfValidityBeginWithTheFirstInvalidValue) {
   EXPECT_EQ(channel.frames, Matrix<float>(3, 2, {1, 2, 3, 0, 5, 6}));
   EXPECT_EQ(channel.valid, Matrix<std::uint8_t>(3, 2, {1, 1, 1, 0, 1, 1}));
   EXPECT_EQ(channel.times, (std::vector<double>{0.0, 0.5, 1.0}));
+}
+
+// A missing value is NaN among readings, and 0 with a mark in a channel.
+TEST(GrowingChannel, ReadingsComeBackWithTheirMissingValues) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  Channel channel;
+  append_readings(channel, Matrix<float>(2, 2, {1, 2, 3, 4}));
+  EXPECT_TRUE(channel.valid.empty());
+  append_readings(channel, Matrix<float>(2, 2, {5, kNone, 0, 8}));
+  EXPECT_EQ(channel.frames, Matrix<float>(4, 2, {1, 2, 3, 4, 5, 0, 0, 8}));
+  EXPECT_EQ(channel.valid, Matrix<std::uint8_t>(4, 2, {1, 1, 1, 1, 1, 0, 1, 1}));
+  const Matrix<float> read = readings_of(channel, 1, 3);
+  ASSERT_EQ(read.rows(), 3U);
+  EXPECT_EQ(read(0, 1), 4.0F);
+  EXPECT_TRUE(std::isnan(read(1, 1)));
+  EXPECT_EQ(read(2, 0), 0.0F) << "a value of 0 is not missing";
+  EXPECT_EQ(readings_of(channel, 4, 0), Matrix<float>(0, 2));
 }
 
 TEST(GrowingChannel, TimesThatAreNotKnownAreLeftOut) {

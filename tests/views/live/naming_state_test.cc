@@ -29,9 +29,14 @@ class NamingThread : public ::testing::Test {
 
   static json naming(ViewSession& session) { return state_of(session)["naming"]; }
 
-  static bool name(ViewSession& session, const std::string& value, int exploration) {
-    return command(session, R"({"command":"name","label":"object","value":")" + value +
-                                R"(","exploration":)" + std::to_string(exploration) + "}");
+  static std::string of(const std::string& what, const std::string& value, int id) {
+    return json{{"command", what}, {"label", "object"}, {"value", value}, {"id", id}}.dump();
+  }
+  static void name(ViewSession& session, const std::string& value, int id) {
+    command(session, of("name", value, id));
+  }
+  static void undo(ViewSession& session, const std::string& value, int id) {
+    command(session, of("undo_name", value, id));
   }
 
   static bool is_refused(ViewSession& session, const std::string& text, const std::string& why) {
@@ -50,7 +55,7 @@ TEST_F(NamingThread, CountsNamesAndProposesTheNext) {
   EXPECT_EQ(naming(session), json::parse(R"({
     "names":[{"name":"cup","explorations":0},{"name":"ball","explorations":0},
              {"name":"object 0","explorations":2},{"name":"object 1","explorations":1}],
-    "each":1,"next":{"name":"cup","number":1},"given":null,"last":null})"));
+    "each":1,"next":{"name":"cup","number":1},"id":0,"given":null,"last":null})"));
   name(session, "cup", 0);
   EXPECT_EQ(naming(session)["names"][0], (json{{"name", "cup"}, {"explorations", 1}}));
   EXPECT_EQ(naming(session)["names"][2], (json{{"name", "object 0"}, {"explorations", 1}}));
@@ -59,7 +64,7 @@ TEST_F(NamingThread, CountsNamesAndProposesTheNext) {
   name(session, "ball", 2);
   EXPECT_EQ(naming(session)["next"], nullptr);
   EXPECT_EQ(naming(session)["last"],
-            (json{{"exploration", 2}, {"label", "object"}, {"name", "ball"}}));
+            (json{{"exploration", 2}, {"id", 2}, {"label", "object"}, {"name", "ball"}}));
   command(session, R"({"command":"plan","each":2})");
   EXPECT_EQ(naming(session)["next"], (json{{"name", "cup"}, {"number", 2}}));
   command(session, R"({"command":"plan","each":0})");
@@ -73,22 +78,25 @@ TEST_F(NamingThread, UndoesTheLastNameOnly) {
   name(session, "cup", 0);
   name(session, "mug", 0);
   name(session, "ball", 1);
-  EXPECT_TRUE(is_refused(session, R"({"command":"undo_name","exploration":0})", "meanwhile"));
-  command(session, R"({"command":"undo_name","exploration":1})");
-  command(session, R"({"command":"undo_name","exploration":0})");
+  const std::string last = "last is now object = 'ball' of exploration 2";
+  EXPECT_TRUE(is_refused(session, of("undo_name", "mug", 0), last));
+  EXPECT_TRUE(is_refused(session, of("undo_name", "mug", 1), last)) << "another value";
+  undo(session, "ball", 1);
+  undo(session, "mug", 0);
   EXPECT_EQ(naming(session)["given"], "cup");
-  command(session, R"({"command":"undo_name","exploration":0})");
+  EXPECT_TRUE(is_refused(session, of("undo_name", "mug", 0), "last is now object = 'cup'"))
+      << "another page has taken it back";
+  undo(session, "cup", 0);
   EXPECT_EQ(state_of(session)["explorations"], before["explorations"]);
   EXPECT_EQ(naming(session)["last"], nullptr);
-  EXPECT_TRUE(is_refused(session, R"({"command":"undo_name","exploration":0})", "no name"));
+  EXPECT_TRUE(is_refused(session, of("undo_name", "cup", 0), "no name"));
 }
 
 TEST_F(NamingThread, RefusesWhatIsNotThere) {
   ViewSession session(testing::hand_source(), resting());
   session.start();
-  EXPECT_TRUE(is_refused(session,
-                         R"({"command":"name","label":"object","value":"cup","exploration":3})",
-                         "there is no exploration 4"));
+  EXPECT_TRUE(is_refused(session, of("name", "cup", 3), "there is no such exploration"));
+  EXPECT_TRUE(is_refused(session, of("name", "cup", 4), "there is no such exploration"));
   EXPECT_EQ(naming(session)["last"], nullptr);
 }
 
@@ -108,12 +116,38 @@ TEST_F(NamingThread, NamesTheExplorationThatWasMeant) {
   name(session, "ball", 1);
   EXPECT_EQ(naming(session)["given"], "ball");
   EXPECT_EQ(state_of(session)["explorations"][0]["labels"]["object"], "cup");
-  command(session, R"({"command":"undo_name","exploration":1})");
+  undo(session, "ball", 1);
   EXPECT_EQ(naming(session)["given"], nullptr);
   session.stop();
   ASSERT_TRUE(file->finish());
   EXPECT_EQ(read_recording(folder.file("session.mcap")).value().explorations[0].labels[0].value,
             "cup");
+}
+
+// A slow page may name an exploration that was interrupted: the next one has its index.
+TEST_F(NamingThread, ANameIsOfNoOtherExplorationThanThatOfThePress) {
+  ViewSession session(testing::body_source(200), {false, 1.0, 0.0});
+  session.start();
+  const auto id_after = [&](const json& before) {
+    json id;
+    EXPECT_TRUE(eventually([&] {
+      const json state = state_of(session);
+      id = state["naming"]["id"];
+      return state["live"] == true && id != before;
+    }));
+    return id.get<int>();
+  };
+  const int first = id_after(nullptr);
+  name(session, "cup", first);
+  command(session, R"({"command":"explore"})");
+  const int second = id_after(first);
+  EXPECT_EQ(state_of(session)["exploration"], 0) << "the index is used again";
+  EXPECT_TRUE(is_refused(session, of("name", "mug", first), "was discarded"));
+  EXPECT_TRUE(is_refused(session, of("undo_name", "cup", first), "no name"));
+  EXPECT_EQ(naming(session)["given"], nullptr);
+  name(session, "ball", second);
+  EXPECT_EQ(naming(session)["given"], "ball");
+  EXPECT_TRUE(is_refused(session, of("undo_name", "ball", first), "last is now"));
 }
 
 // A name is confirmed only where it is on the disk.
@@ -131,6 +165,7 @@ TEST_F(NamingThread, RefusesToConfirmWhatTheFileDoesNotHave) {
   while (session.command(cup + std::to_string(names) + "\"}")) ASSERT_LT(++names, 20);
   EXPECT_TRUE(files.failed());
   EXPECT_TRUE(is_refused(session, cup + "\"}", "not on the disk"));
+  EXPECT_EQ(session.command(cup + "\"}").error().kind, ErrorKind::kSystem) << "it is not refused";
   EXPECT_EQ(naming(session)["given"], "cup") << "the session continues with it";
 }
 

@@ -44,6 +44,14 @@ std::string checked_text(const Strips& strips) {
   return text;
 }
 
+TEST(Strips, AreInterruptedWhereValuesAreMissing) {
+  Exploration exploration;
+  exploration.channels = {channel("touch", counted(2, 2), 10.0)};
+  exploration.channels[0].valid = Matrix<std::uint8_t>(2, 2, {1, 1, 0, 1});
+  const json strips = json::parse(checked_text(strips_of_all(exploration)));
+  EXPECT_EQ(strips["channels"]["touch"], json::parse("[[0,1],[null,3]]"));
+}
+
 TEST(Strips, AreTheRecordingFrameByFrame) {
   const Recording recording = testing::hand_recording(3, 1);
   for (std::size_t number = 0; number < 3; ++number) {

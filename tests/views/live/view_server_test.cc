@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,7 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/support/failing_file_system.h"
 #include "base/support/json_schema.h"
+#include "base/support/temporary_folder.h"
 #include "views/http/hostile_requests.h"
 #include "views/live/sessions.h"
 #include "views/live/view_systems.h"
@@ -261,6 +264,28 @@ TEST(ServerStartThread, AnswersAsItsSchemasSay) {
                                "view.json#/$defs/Refusal"));
   EXPECT_TRUE(text_fits_schema(body_of(viewing.command(R"({"command":"pause"})")),
                                "view.json#/$defs/Done"));
+}
+
+// The file fails with one of the names, which the session has nevertheless.
+TEST(ServerUnsavedThread, AChangeThatIsNotSavedIsNotRefused) {
+  const TemporaryFolder folder;
+  testing::FailingFileSystem files(12, ENOSPC);
+  const auto file = GrowingRecording::begin(files, folder.file("full.mcap")).value();
+  ViewSource source = testing::body_source();
+  source.file = file.get();
+  Viewing viewing(std::move(source));
+  ASSERT_TRUE(testing::eventually(
+      [&] { return testing::state_of(viewing.session())["explorations"].size() == 1; }));
+  json answer;
+  for (int i = 0; i < 20 && !answer.contains("error"); ++i) {
+    const json name{
+        {"command", "name"}, {"label", "object"}, {"value", std::to_string(i)}, {"id", 0}};
+    answer = json::parse(body_of(viewing.command(name.dump())));
+  }
+  EXPECT_EQ(answer["unsaved"], true) << answer;
+  EXPECT_TRUE(text_fits_schema(answer.dump(), "view.json#/$defs/Refusal"));
+  const std::string refused = body_of(viewing.command(R"({"command":"fly"})"));
+  EXPECT_FALSE(json::parse(refused).contains("unsaved"));
 }
 
 TEST(ServerStartThread, MakesATokenOfItsOwn) {

@@ -113,21 +113,22 @@ class MotionThread : public ::testing::Test {
 };
 
 // All that a page can send, but for the command that starts.
-const std::vector<std::string> kOthers{R"({"command":"play"})",
-                                       R"({"command":"pause"})",
-                                       R"({"command":"step","frames":1})",
-                                       R"({"command":"step","frames":-1})",
-                                       R"({"command":"seek","exploration":0,"frame":0})",
-                                       R"({"command":"speed","speed":2})",
-                                       R"({"command":"thing","name":"cube"})",
-                                       R"({"command":"placement","x":1,"y":1,"turn":1})",
-                                       R"({"command":"name","label":"object","value":"ball"})",
-                                       R"({"command":"undo_name","exploration":0})",
-                                       R"({"command":"plan","each":2})",
-                                       R"({"command":"system","name":"first"})",
-                                       R"({"command":"train"})",
-                                       R"({"command":"stop_training"})",
-                                       R"({"command":"dismiss"})"};
+const std::vector<std::string> kOthers{
+    R"({"command":"play"})",
+    R"({"command":"pause"})",
+    R"({"command":"step","frames":1})",
+    R"({"command":"step","frames":-1})",
+    R"({"command":"seek","exploration":0,"frame":0})",
+    R"({"command":"speed","speed":2})",
+    R"({"command":"thing","name":"cube"})",
+    R"({"command":"placement","x":1,"y":1,"turn":1})",
+    R"({"command":"name","label":"object","value":"ball"})",
+    R"({"command":"undo_name","id":0,"label":"object","value":"cup"})",
+    R"({"command":"plan","each":2})",
+    R"({"command":"system","name":"first"})",
+    R"({"command":"train"})",
+    R"({"command":"stop_training"})",
+    R"({"command":"dismiss"})"};
 
 TEST_F(MotionThread, NothingMovesBeforeStart) {
   for (const bool is_planned : {false, true}) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "recordings/explorations/recording_json.h"
@@ -51,6 +53,14 @@ TEST_F(Growing, KnowsItsElementsBeforeItsFirstFrame) {
 TEST_F(Growing, TakesAsManyElementsAsCome) {
   growing_.append(recorded(0.0, {Matrix<float>(1, 3, 7.0F), {}, {}}));
   EXPECT_EQ(so_far().channels[0].frames, Matrix<float>(1, 3, 7.0F));
+}
+
+TEST_F(Growing, AMissingReadingIsShownAsMissing) {
+  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+  growing_.append(recorded(0.0, {{}, Matrix<float>(1, 2, {kNone, 7}), {}}));
+  EXPECT_TRUE(std::isnan(growing_.last().state.readings[1](0, 0)));
+  EXPECT_TRUE(std::isnan(shown_values(so_far().channels[1], 0.0, 1)[0]));
+  EXPECT_EQ(so_far().channels[1].valid, Matrix<std::uint8_t>(1, 2, {0, 1}));
 }
 
 TEST_F(Growing, FramesWithTimesOfTheirOwnKeepThem) {

@@ -36,9 +36,12 @@ TEST(ViewCommand, IsReadFromJson) {
       read<NameCommand>(R"({"command":"name","label":"object","value":"tea cup"})").label;
   EXPECT_EQ(given, (Label{"object", "tea cup"}));
   const std::string named = R"({"command":"name","label":"object","value":"cup")";
-  EXPECT_EQ(read<NameCommand>(named + "}").exploration, std::nullopt);
-  EXPECT_EQ(read<NameCommand>(named + R"(,"exploration":7})").exploration, 7U);
-  EXPECT_EQ(read<UndoNameCommand>(R"({"command":"undo_name","exploration":7})").exploration, 7U);
+  EXPECT_EQ(read<NameCommand>(named + "}").id, std::nullopt);
+  EXPECT_EQ(read<NameCommand>(named + R"(,"id":7})").id, 7U);
+  const auto undo =
+      read<UndoNameCommand>(R"({"command":"undo_name","id":7,"label":"object","value":"cup"})");
+  EXPECT_EQ(undo.id, 7U);
+  EXPECT_EQ(undo.label, (Label{"object", "cup"}));
   EXPECT_EQ(read<PlanCommand>(R"({"command":"plan","each":5})").each, 5U);
   EXPECT_EQ(read<SystemCommand>(R"({"command":"system","name":"s"})").name, "s");
   EXPECT_EQ(
@@ -74,18 +77,26 @@ TEST(ViewCommand, AThingTurnsOnceAroundAtMost) {
 }
 
 TEST(ViewCommand, IsRefusedWhereItsSchemaRefusesIt) {
-  for (const std::string text :
-       {R"([])", R"({})", R"({"command":"fly"})", R"({"command":"play","speed":1})",
-        R"({"command":"step"})", R"({"command":"step","frames":1.5})",
-        R"({"command":"step","frames":1000000001})",
-        R"({"command":"seek","exploration":-1,"frame":0})", R"({"command":"seek","exploration":0})",
-        R"({"command":"speed","speed":0.04})", R"({"command":"speed","speed":"1"})",
-        R"({"command":"thing"})", R"({"command":"system","name":1})",
-        R"({"command":"name","label":"object","value":"cup","exploration":-1})",
-        R"({"command":"undo_name"})", R"({"command":"plan","each":1001})",
-        R"({"command":"placement","x":0,"y":0})",
-        R"({"command":"placement","x":0,"y":-50.1,"turn":0})",
-        R"({"command":"placement","x":0,"y":0,"turn":361})"}) {
+  for (const std::string text : {R"([])",
+                                 R"({})",
+                                 R"({"command":"fly"})",
+                                 R"({"command":"play","speed":1})",
+                                 R"({"command":"step"})",
+                                 R"({"command":"step","frames":1.5})",
+                                 R"({"command":"step","frames":1000000001})",
+                                 R"({"command":"seek","exploration":-1,"frame":0})",
+                                 R"({"command":"seek","exploration":0})",
+                                 R"({"command":"speed","speed":0.04})",
+                                 R"({"command":"speed","speed":"1"})",
+                                 R"({"command":"thing"})",
+                                 R"({"command":"system","name":1})",
+                                 R"({"command":"name","label":"object","value":"cup","id":-1})",
+                                 R"({"command":"undo_name"})",
+                                 R"({"command":"undo_name","id":1,"label":"object"})",
+                                 R"({"command":"plan","each":1001})",
+                                 R"({"command":"placement","x":0,"y":0})",
+                                 R"({"command":"placement","x":0,"y":-50.1,"turn":0})",
+                                 R"({"command":"placement","x":0,"y":0,"turn":361})"}) {
     EXPECT_FALSE(parse_view_command(text)) << text;
     EXPECT_FALSE(testing::text_fits_schema(text, "view.json#/$defs/Command")) << text;
   }

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "base/support/json_schema.h"
 #include "bodies/objects/material_colour.h"
@@ -14,8 +15,8 @@ namespace {
 using testing::fits_schema;
 
 TEST(FrameText, WritesWhatIsNotFiniteAsNull) {
-  const std::array<float, 3> values{1.5F, std::numeric_limits<float>::quiet_NaN(),
-                                    std::numeric_limits<float>::infinity()};
+  const std::vector<float> values{1.5F, std::numeric_limits<float>::quiet_NaN(),
+                                  std::numeric_limits<float>::infinity()};
   ShownMoment moment;
   moment.channels.emplace_back("touch", values);
   moment.poses.resize(1);
@@ -25,6 +26,27 @@ TEST(FrameText, WritesWhatIsNotFiniteAsNull) {
   const Json frame = Json::parse(text);
   EXPECT_EQ(frame["channels"]["touch"], (Json{1.5, nullptr, nullptr}));
   EXPECT_EQ(frame["poses"], (Json{0, 0, nullptr, 1, 0, 0, 0}));
+}
+
+// Masked values are 0 in a channel, and no value in a page.
+TEST(ShownValues, AreMissingWhereTheChannelMarksThem) {
+  Channel skin;
+  skin.frames = Matrix<float>(2, 3, {1, 0, 3, 0, 5, 0});
+  skin.valid = Matrix<std::uint8_t>(2, 3, {1, 0, 1, 1, 1, 0});
+  const std::vector<float> first = shown_values(skin, 10.0, 1);
+  EXPECT_EQ(first[0], 1.0F);
+  EXPECT_TRUE(std::isnan(first[1]));
+  const std::vector<float> second = shown_values(skin, 10.0, 2);
+  EXPECT_EQ(second[0], 0.0F);
+  EXPECT_TRUE(std::isnan(second[2]));
+  Channel sound;
+  sound.frames = Matrix<float>(1000, 1, 2.0F);
+  sound.valid = Matrix<std::uint8_t>(1000, 1, 1);
+  sound.valid(999, 0) = 0;
+  const std::vector<float> stretch = shown_values(sound, 8192.0, 1000);
+  ASSERT_EQ(stretch.size(), 512U);
+  EXPECT_EQ(stretch[510], 2.0F);
+  EXPECT_TRUE(std::isnan(stretch[511]));
 }
 
 TEST(ThingJson, HasTheColourOfAKnownMaterial) {

@@ -78,11 +78,11 @@ TEST_F(LayoutFile, GroupsAreOfNamesNumbersAndRanges) {
 }
 
 TEST_F(LayoutFile, APictureIsInItsFolder) {
-  folder_.with("pad.PNG", "foobar");
+  folder_.with("pad.PNG", "\x89PNG\r\n\x1a\n IEND");
   const std::string picture = "picture = \"pad.PNG\"\npicture_corners = [[-1, -2], [9, 8]]\n";
   const auto background = layout(with(picture)).value()[0].background;
   ASSERT_TRUE(background);
-  EXPECT_EQ(background->image, "data:image/png;base64,Zm9vYmFy");
+  EXPECT_EQ(background->image, "data:image/png;base64,iVBORw0KGgogSUVORA==");
   expect_at(background->corner, -1, -2);
   EXPECT_DOUBLE_EQ(background->width, 10);
   EXPECT_DOUBLE_EQ(background->height, 10);
@@ -138,6 +138,29 @@ TEST_F(LayoutFile, RefusesPicturesThatCannotBeDrawn) {
   EXPECT_NE(error_of(with("picture = \"other.png\"" + corners)).find("other.png"),
             std::string::npos);
   EXPECT_NE(error_of(with("picture = \"pad.png\"" + corners)).find("pad.png"), std::string::npos);
+}
+
+TEST_F(LayoutFile, RefusesPicturesThatAreNoImages) {
+  const std::string corners = "\npicture_corners = [[0, 0], [9, 9]]";
+  const std::string png = "\x89PNG\r\n\x1a\n";
+  const std::string jpeg = "\xff\xd8\xff\xe0";
+  const auto error_with = [&](const std::string& name, const std::string& content) {
+    folder_.with(name, content);
+    return error_of(with("picture = \"" + name + "\"" + corners));
+  };
+  const auto is_refused = [&](const std::string& name, const std::string& content) {
+    return error_with(name, content).find("the content of '" + name + "' is not a complete") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(is_refused("pad.png", "places,1,2\n"));
+  EXPECT_TRUE(is_refused("pad.png", ""));
+  EXPECT_TRUE(is_refused("pad.png", png + " cut"));
+  EXPECT_TRUE(is_refused("pad.png", jpeg + "\xff\xd9"));
+  EXPECT_TRUE(is_refused("pad.jpg", png + " IEND"));
+  EXPECT_TRUE(is_refused("pad.jpg", jpeg + " cut"));
+  EXPECT_TRUE(is_refused("pad.svg", "<html></html>"));
+  EXPECT_EQ(error_with("pad.jpeg", jpeg + "\xff\xd9"), "none");
+  EXPECT_EQ(error_with("pad.svg", "<?xml version=\"1.0\"?>\n<svg width=\"3\"/>"), "none");
 }
 
 TEST_F(LayoutFile, TellsUnknownChannels) {

@@ -55,6 +55,35 @@ TEST_F(KeptExplorationsTest, SavesWhatIsAddedWithTheGivenLabels) {
   EXPECT_EQ(saved[1].labels, second_.labels);
 }
 
+// An index is that of the next exploration if one is discarded, an identifier is not.
+TEST_F(KeptExplorationsTest, IdentifiesAnExplorationForEver) {
+  source_.file = nullptr;
+  KeptExplorations kept(source_);
+  EXPECT_EQ(kept.id(0), 0U);
+  const std::size_t discarded = kept.id(1);
+  kept.discard_next();
+  const std::size_t second = kept.id(1);
+  EXPECT_NE(second, discarded);
+  EXPECT_EQ(kept.index_of(second).value(), 1U);
+  EXPECT_FALSE(kept.index_of(discarded));
+  EXPECT_FALSE(kept.index_of(second + 1)) << "it has not begun";
+  ASSERT_TRUE(kept.add(second_, nullptr));
+  EXPECT_EQ(kept.id(1), second) << "it has ended";
+  Exploration other = second_;
+  other.channels.pop_back();
+  const std::size_t unlike = kept.id(2);
+  EXPECT_FALSE(kept.add(other, nullptr));
+  EXPECT_NE(kept.id(2), unlike);
+  kept.drop_before(1);
+  EXPECT_FALSE(kept.index_of(0));
+  EXPECT_EQ(kept.index_of(second).value(), 1U);
+  const std::size_t unkept = kept.id(2);
+  kept.drop_before(2);
+  ASSERT_TRUE(kept.add_unkept());
+  EXPECT_FALSE(kept.index_of(unkept));
+  EXPECT_EQ(kept.index_of(kept.id(3)).value(), 3U);
+}
+
 TEST_F(KeptExplorationsTest, RefusesOneThatIsUnlikeTheOthers) {
   KeptExplorations kept(source_);
   ASSERT_TRUE(kept.name(1, {"object", "cup"}));

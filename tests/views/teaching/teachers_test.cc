@@ -73,6 +73,11 @@ TEST(TeachersThread, LearnTheNameOfAnExplorationThatHasEnded) {
   EXPECT_EQ(state_of(session)["taught"], taught);
 }
 
+void undo(ViewSession& session, const std::string& value, int id) {
+  command(session,
+          json{{"command", "undo_name"}, {"label", "object"}, {"value", value}, {"id", id}}.dump());
+}
+
 // The last name is taken back first; the one before it is learned again.
 TEST(TeachersThread, ForgetANameThatIsUndone) {
   ViewSession session(with_system(testing::hand_source(2), true), testing::at_once());
@@ -84,14 +89,14 @@ TEST(TeachersThread, ForgetANameThatIsUndone) {
   command(session, R"({"command":"name","label":"object","value":"mug"})");
   ASSERT_EQ(state_of(session)["taught"].size(), 1U);
   EXPECT_EQ(state_of(session)["taught"][0]["name"], "mug");
-  command(session, R"({"command":"undo_name","exploration":1})");
+  undo(session, "mug", 1);
   ASSERT_EQ(state_of(session)["taught"].size(), 1U);
   EXPECT_EQ(state_of(session)["taught"][0]["name"], "cup");
-  command(session, R"({"command":"undo_name","exploration":1})");
+  undo(session, "cup", 1);
   EXPECT_EQ(state_of(session)["taught"], json::array());
   EXPECT_EQ(state_of(session)["maps"], before["maps"]);
   EXPECT_EQ(state_of(session)["labels"], before["labels"]);
-  EXPECT_FALSE(session.command(R"({"command":"undo_name","exploration":1})"));
+  EXPECT_EQ(state_of(session)["naming"]["last"], nullptr);
 }
 
 // The receiver of the readings learns of it.
@@ -118,7 +123,7 @@ TEST(TeachersThread, SayThatANameIsForgotten) {
   for (const std::string value : {"cup", "mug"}) {
     command(session, R"({"command":"name","label":"object","value":")" + value + "\"}");
   }
-  for (int i = 0; i < 2; ++i) command(session, R"({"command":"undo_name","exploration":0})");
+  for (const std::string value : {"mug", "cup"}) undo(session, value, 0);
   session.stop();
   EXPECT_EQ(said,
             (std::vector<std::string>{"taught cup", "taught mug", "taught cup", "forgotten cup"}));

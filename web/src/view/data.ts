@@ -65,6 +65,8 @@ export interface Done {
 export interface Refusal {
   /** A sentence. */
   error: string;
+  /** The command was executed, but its change could not be saved. */
+  unsaved?: true;
 }
 
 /** The source of the view, and the system that reads it. */
@@ -154,6 +156,11 @@ export interface NamingState {
   each: number | null;
   /** The name that follows by the plan; null without a plan, or when it is fulfilled. */
   next: NextName | null;
+  /**
+   * The identifier of the current exploration, for the command `name`; null without one that is
+   * kept. No other exploration of the session has it, also if this one is discarded.
+   */
+  id: number | null;
   /** The name that viewers gave to the current exploration; null without one. */
   given: string | null;
   /** The label that was given last and can be undone. */
@@ -177,6 +184,8 @@ export interface NextName {
 export interface LastName {
   /** Its index. */
   exploration: number;
+  /** Its identifier. */
+  id: number;
   /** The name of the label. */
   label: string;
   /** Its value. */
@@ -204,6 +213,11 @@ export interface Losses {
 /** An exploration of the recording or the body. */
 export interface ExplorationLabels {
   index: number;
+  /**
+   * Its identifier. The index of a discarded exploration is that of the next one, the identifier is
+   * not.
+   */
+  id: number;
   labels: Labels;
   /** The recording that contains it, if several are viewed. */
   recording?: string;
@@ -486,15 +500,22 @@ export interface NameCommand {
   label: string;
   /** Its value; at most 255 bytes, without line breaks, not empty. */
   value: string;
-  /** Its index; without it, the current exploration. */
-  exploration?: number;
+  /**
+   * The identifier of the exploration, which is refused if it was discarded; without it, the
+   * current exploration.
+   */
+  id?: number;
 }
 
-/** Takes back the name that was given last. */
+/** Takes back the name that was given last; refused if that is another one now. */
 export interface UndoNameCommand {
   command: "undo_name";
-  /** The index of the exploration that was named last. */
-  exploration: number;
+  /** The identifier of the exploration that was named last. */
+  id: number;
+  /** The name of the label. */
+  label: string;
+  /** The value that is taken back. */
+  value: string;
 }
 
 /** Plans so many explorations of each name. */

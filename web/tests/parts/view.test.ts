@@ -7,6 +7,7 @@ import { kRest, roundNumber, touchColour } from "../../src/parts/hands/touch_col
 import type { Frame, Strips } from "../../src/view/data";
 import { DrawingBudget } from "../../src/view/session/drawing_budget";
 import { ForceScale } from "../../src/view/scene/force_scale";
+import { strongest } from "../../src/view/strips/strongest";
 import { fingerGroups } from "../../src/view/scene/finger_groups";
 import { gapsOf } from "../../src/view/strips/gaps";
 import { geometryOf } from "../../src/view/scene/geometry";
@@ -83,6 +84,18 @@ describe("the scale of touch", () => {
     scale.see(0, [0.05]);
     expect(scale.end).toBe(1);
   });
+});
+
+test("a missing value is neither a touch nor a rest", () => {
+  const scale = new ForceScale();
+  scale.see(0, [null, 2]);
+  expect([scale.share(null), scale.share(undefined), scale.share(0)]).toEqual([null, null, 0]);
+  const moments = [
+    [null, 3, 0],
+    [null, null, -4],
+  ];
+  expect([0, 1, 2].map((i) => strongest(moments, i, i + 1))).toEqual([null, 3, 4]);
+  expect(strongest([[0]], 0, 1)).toBe(0);
 });
 
 describe("the strips over an exploration", () => {

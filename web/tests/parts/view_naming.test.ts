@@ -5,6 +5,7 @@ import { describe, expect, test } from "vitest";
 import type { Command, State } from "../../src/view/data";
 import { Namer, type Outcome } from "../../src/view/naming/namer";
 import { namingKey } from "../../src/view/page/keys";
+import type { Answer } from "../../src/view/session/model";
 import { Observable } from "../../src/view/session/observable";
 import { fakeState } from "../view/fake_frames";
 
@@ -40,35 +41,40 @@ class SlowProgram {
   readonly outcomes: Outcome[] = [];
   readonly shownState: Observable<State | null>;
   readonly namer: Namer;
-  private answers: ((isDone: boolean) => void)[] = [];
+  private answers: ((answer: Answer) => void)[] = [];
 
   constructor(naming: Partial<State["naming"]> = {}) {
     const names = ["cup", "ball"].map((name) => ({ name, explorations: 0 }));
     this.shownState = new Observable<State | null>({
       ...fakeState(),
       exploration: 2,
-      naming: { names, each: null, next: null, given: null, last: null, ...naming },
+      naming: { names, each: null, next: null, id: 20, given: null, last: null, ...naming },
     });
     const send = (command: Command) => {
       this.commands.push(command);
-      return new Promise<boolean>((answer) => this.answers.push(answer));
+      return new Promise<Answer>((answer) => this.answers.push(answer));
     };
     this.namer = new Namer({ send, shownState: this.shownState }, (outcome) => this.outcomes.push(outcome));
+  }
+
+  get naming(): State["naming"] {
+    return this.shownState.value!.naming;
   }
 
   show(part: Partial<State>): void {
     this.shownState.set({ ...this.shownState.value!, ...part });
   }
 
-  async answer(isDone = true): Promise<void> {
+  async answer(answer: Answer = "done"): Promise<void> {
     await rest();
-    this.answers.shift()!(isDone);
+    this.answers.shift()!(answer);
     await rest();
   }
 }
 
 const rest = () => new Promise((done) => setTimeout(done));
-const named = (value: string, exploration = 2) => ({ command: "name", label: "object", value, exploration });
+const named = (value: string, id = 20) => ({ command: "name", label: "object", value, id });
+const undone = (value: string, id = 20) => ({ ...named(value, id), command: "undo_name" });
 
 describe("on a slow line", () => {
   test("a key that is pressed twice gives one name, and is confirmed by the program", async () => {
@@ -86,12 +92,12 @@ describe("on a slow line", () => {
     const program = new SlowProgram();
     program.namer.giveKnown(1);
     program.namer.giveKnown(2);
-    program.show({ exploration: 3 });
+    program.show({ exploration: 3, naming: { ...program.naming, id: 30 } });
     program.namer.giveKnown(1);
     await rest();
     expect(program.commands).toEqual([named("cup")]);
     for (let i = 0; i < 3; i += 1) await program.answer();
-    expect(program.commands).toEqual([named("cup"), named("ball"), named("cup", 3)]);
+    expect(program.commands).toEqual([named("cup"), named("ball"), named("cup", 30)]);
   });
 
   test("a proposal is accepted once, also before the new state arrives", async () => {
@@ -107,24 +113,47 @@ describe("on a slow line", () => {
   });
 
   test("undo follows the name that it takes back, once", async () => {
-    const program = new SlowProgram({ last: { exploration: 0, label: "object", name: "ball" } });
+    const program = new SlowProgram({ last: { exploration: 0, id: 10, label: "object", name: "ball" } });
     program.namer.giveKnown(1);
     program.namer.undo();
     program.namer.undo();
     await program.answer();
     await program.answer();
-    expect(program.commands).toEqual([named("cup"), { command: "undo_name", exploration: 2 }]);
+    expect(program.commands).toEqual([named("cup"), undone("cup")]);
     expect(program.outcomes.map(({ kind }) => kind)).toEqual(["done", "undone"]);
     program.namer.undo();
     await rest();
-    expect(program.commands.at(-1)).toEqual({ command: "undo_name", exploration: 0 });
+    expect(program.commands.at(-1)).toEqual(undone("ball", 10));
   });
+});
+
+// The next exploration has the index of one that is interrupted, and another identifier.
+test("a name and its undo are for the exploration of the press, and for no other one", async () => {
+  const program = new SlowProgram();
+  program.namer.giveKnown(1);
+  program.show({ naming: { ...program.naming, id: 21 } });
+  program.namer.giveKnown(1);
+  await program.answer("refused");
+  await program.answer();
+  program.namer.undo();
+  await rest();
+  expect(program.commands).toEqual([named("cup", 20), named("cup", 21), undone("cup", 21)]);
+});
+
+test("a name that is given, but not saved, is not called refused", async () => {
+  const program = new SlowProgram();
+  program.namer.giveKnown(1);
+  await program.answer("unsaved");
+  expect(program.outcomes).toEqual([{ kind: "unsaved", words: "Not saved: Exploration 3: cup" }]);
+  program.namer.undo();
+  await rest();
+  expect(program.commands.at(-1)).toEqual(undone("cup"));
 });
 
 test("what is refused is not confirmed", async () => {
   const program = new SlowProgram();
   program.namer.giveKnown(1);
-  await program.answer(false);
+  await program.answer("refused");
   program.namer.giveKnown(3);
   program.namer.accept();
   program.namer.undo();

@@ -8,6 +8,8 @@ export const kFrames = 60;
 export const kRate = 10; // frames a second
 export const kGrid = { rows: 15, columns: 15, lattice: "rectangular", topology: "plane" } as const;
 export const kExplorations = [0, 1, 2, 3, 4, 5];
+/** Unlike their indices, as after explorations that were discarded. */
+export const idOf = (exploration: number) => 100 + exploration;
 const kNeurons = kGrid.rows * kGrid.columns;
 
 export const thingOf = (exploration: number) => kThings[exploration % kThings.length]!;
@@ -208,6 +210,7 @@ export function fakeState(): State {
     source: "recording",
     name: "hand2.mcap",
     explorations: kExplorations.map((index) => ({
+      id: idOf(index),
       index,
       labels: { object: thingOf(index).name, trial: String(1 + Math.floor(index / 3)) },
     })),
@@ -255,7 +258,7 @@ export function fakeState(): State {
     taught: [],
     training: false,
     demonstrated: null,
-    naming: { names: [], each: null, next: null, given: null, last: null },
+    naming: { names: [], each: null, next: null, id: idOf(0), given: null, last: null },
     dropped: 0,
     first_frame: 0,
     losses: { failed: 0, unsaved: 0, viewers: 0 },

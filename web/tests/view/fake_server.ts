@@ -77,6 +77,14 @@ export class FakeServer {
     this.send("frame", fakeFrame(exploration, frame));
   }
 
+  /** As show(), with elements of the touch sensors missing. */
+  showWithout(exploration: number, frame: number, missing: readonly number[]): void {
+    const shown = fakeFrame(exploration, frame);
+    const touch = shown.channels["touch"]!.map((value, i) => (missing.includes(i) ? null : value));
+    this.frame = { exploration, frame };
+    this.send("frame", { ...shown, channels: { ...shown.channels, touch } });
+  }
+
   setScene(scene: Scene | null): void {
     this.sceneNow = scene;
     this.send("scene", scene);

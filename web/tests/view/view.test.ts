@@ -57,6 +57,18 @@ describe("what it shows", () => {
     await screenshot(view.page, "view-light");
   });
 
+  it("shows missing values as missing, not as a sensor at rest", async () => {
+    view.server.showWithout(1, 40, [0, 1]);
+    await frameShown(view.page, 40);
+    const fillOf = (taxel: number) => view.page.locator(`.panel-skin [data-cell="${taxel}"]`).getAttribute("fill");
+    await soon(() => Promise.all([fillOf(0), fillOf(1)])).toEqual(["none", "none"]);
+    expect(await fillOf(2)).toMatch(/^#/);
+    const first = view.page.locator('.panel-skin [data-cell="0"]');
+    await first.hover();
+    expect(await words(view.page, ".panel-skin output")).toContain(`${kTaxels[0]}: –`);
+    await screenshot(view.page, "view-missing");
+  });
+
   it("shows the activity that another sense calls up beside the map's own", async () => {
     const state = fakeState();
     const module = state.graph!.modules.find(({ name }) => name === "map")!;

@@ -41,23 +41,23 @@ it("needs no mouse", async () => {
 
 it("gives names by keys, and undoes them", async () => {
   const names = [{ name: "cup", explorations: 2 }, { name: "tea ball", explorations: 0 }];
-  const naming = { names, each: 5, next: { name: "cup", number: 3 }, given: null, last: null };
+  const naming = { names, each: 5, next: { name: "cup", number: 3 }, id: 100, given: null, last: null };
   await view.open({ ...fakeState(), naming });
   const note = () => view.page.locator(".naming-note > span").first().innerText();
   await view.page.keyboard.press("Numpad2");
-  await view.received({ command: "name", label: "object", value: "tea ball", exploration: 0 });
+  await view.received({ command: "name", label: "object", value: "tea ball", id: 100 });
   await soon(note).toBe("✓ Exploration 1: tea ball");
   await view.page.keyboard.press("0"); // it has a name
   await soon(note).toBe("✗ Exploration 1 has the name “tea ball”.");
-  view.server.change({ naming: { ...naming, given: "tea ball", last: { exploration: 0, label: "object", name: "tea ball" } } });
+  view.server.change({ naming: { ...naming, given: "tea ball", last: { exploration: 0, id: 100, label: "object", name: "tea ball" } } });
   await view.page.getByText("Next: cup, 3 of 5").waitFor();
   await view.page.keyboard.press("u");
-  await view.received({ command: "undo_name", exploration: 0 });
+  await view.received({ command: "undo_name", id: 100, label: "object", value: "tea ball" });
   await soon(note).toBe("✓ Undone: Exploration 1: tea ball");
   await view.page.keyboard.press("n");
   await view.page.keyboard.type("12u"); // in the field
   await view.page.keyboard.press("Enter");
-  await view.received({ command: "name", label: "object", value: "12u", exploration: 0 });
+  await view.received({ command: "name", label: "object", value: "12u", id: 100 });
   await view.page.keyboard.press("Shift+4");
   expect(await view.page.evaluate(() => document.activeElement?.textContent)).toContain("Map");
   await view.page.keyboard.press("?");

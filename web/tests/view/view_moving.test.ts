@@ -50,7 +50,7 @@ describe("a demonstration", () => {
     await soon(() => view.page.locator(".skin-place .lit").count()).toBeGreaterThan(3);
     const invitation = view.page.getByRole("complementary", { name: "Invitation" });
     expect(await invitation.isVisible()).toBe(false);
-    const explorations = [0, 1, 2].map((index) => ({ index, labels: { object: "boule" } }));
+    const explorations = [0, 1, 2].map((index) => ({ index, id: index, labels: { object: "boule" } }));
     view.server.change({ demonstrated: 1, live: false, explorations });
     await invitation.getByRole("button", { name: "Train another system" }).waitFor({ state: "hidden" });
     view.server.change({ systems: view.server.state.systems.map((one) => ({ ...one, learns: true })) });

@@ -16,7 +16,7 @@ it("names what is touched by a click", async () => {
   const input = view.page.getByLabel("Name of what is touched");
   await input.fill("tea cup");
   await view.page.keyboard.press("Enter");
-  await view.received({ command: "name", label: "object", value: "tea cup", exploration: 0 });
+  await view.received({ command: "name", label: "object", value: "tea cup", id: 100 });
   view.server.change({ labels: { object: "tea cup" } });
   await soon(() => view.page.locator(".naming-name").innerText()).toContain("tea cup");
 });

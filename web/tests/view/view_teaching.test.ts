@@ -59,7 +59,7 @@ describe("a system that learns names", () => {
     await soon(() => view.page.locator(".question-spoken").innerText()).toContain("What is it?");
     await input().fill("tea cup");
     await view.page.keyboard.press("Enter");
-    await view.received({ command: "name", label: "object", value: "tea cup" });
+    await view.received({ command: "name", label: "object", value: "tea cup", id: 101 });
     await question().waitFor({ state: "hidden" });
     expect(view.server.commands.map(({ command }) => command)).toEqual(["name"]); // nothing played
   });

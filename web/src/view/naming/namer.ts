@@ -3,16 +3,18 @@
 // may have begun when the program receives it.
 
 import type { State } from "../data";
-import type { Model } from "../session/model";
+import type { Answer, Model } from "../session/model";
 import { labelOf } from "./known_names";
 
 export interface Outcome {
-  kind: "done" | "undone" | "refused";
+  kind: "done" | "undone" | "unsaved" | "refused";
   words: string;
 }
 
 interface Given {
   exploration: number;
+  id: number; // that no other exploration has, also if this one is discarded
+  label: string;
   value: string;
 }
 
@@ -46,18 +48,18 @@ export class Namer {
   }
 
   give(value: string): void {
-    const exploration = this.exploration;
-    if (exploration === null) return this.refuse("There is no exploration to name.");
+    const { exploration, id } = this;
+    if (exploration === null || id === null) return this.refuse("There is no exploration to name.");
     const last = this.pending.at(-1);
-    if (last?.exploration === exploration && last.value === value) return; // pressed twice
-    const given = { exploration, value };
+    if (last?.id === id && last.value === value) return; // pressed twice
     const label = labelOf(this.state!);
+    const given = { exploration, id, label, value };
     this.pending.push(given);
     this.afterOthers(async () => {
-      const isDone = await this.model.send({ command: "name", label, value, exploration });
+      const answer = await this.model.send({ command: "name", label, value, id });
       this.pending.shift();
-      if (isDone) this.confirmed = given;
-      this.tell(isDone, "done", wordsOf(given));
+      if (answer !== "refused") this.confirmed = given;
+      this.tell(answer, "done", wordsOf(given));
     });
   }
 
@@ -68,10 +70,11 @@ export class Namer {
     if (last === null) return this.refuse("There is no name to undo.");
     this.isUndoing = true;
     this.afterOthers(async () => {
-      const isDone = await this.model.send({ command: "undo_name", exploration: last.exploration });
+      const { id, label, value } = last;
+      const answer = await this.model.send({ command: "undo_name", id, label, value });
       this.isUndoing = false;
       this.confirmed = null;
-      this.tell(isDone, "undone", `Undone: ${wordsOf(last)}`);
+      this.tell(answer, "undone", `Undone: ${wordsOf(last)}`);
     });
   }
 
@@ -83,8 +86,12 @@ export class Namer {
     return this.state?.exploration ?? null;
   }
 
+  private get id(): number | null {
+    return this.state?.naming.id ?? null;
+  }
+
   private givenName(): string | null {
-    const own = [...this.pending, this.confirmed].filter((one) => one?.exploration === this.exploration);
+    const own = [...this.pending, this.confirmed].filter((one) => one?.id === this.id);
     return own.at(-1)?.value ?? this.state?.naming.given ?? null;
   }
 
@@ -92,9 +99,10 @@ export class Namer {
     this.waiting = this.waiting.then(work);
   }
 
-  private tell(isDone: boolean, kind: "done" | "undone", words: string): void {
-    if (isDone) this.notify({ kind, words });
-    else this.refuse(`Refused: ${words}`);
+  private tell(answer: Answer, kind: "done" | "undone", words: string): void {
+    if (answer === "refused") return this.refuse(`Refused: ${words}`);
+    if (answer === "unsaved") return this.notify({ kind: answer, words: `Not saved: ${words}` });
+    this.notify({ kind, words });
   }
 
   private refuse(words: string): void {
@@ -104,9 +112,9 @@ export class Namer {
 
 function lastOf(state: State | null): Given | null {
   const last = state?.naming.last ?? null;
-  return last && { exploration: last.exploration, value: last.name };
+  return last && { exploration: last.exploration, id: last.id, label: last.label, value: last.name };
 }
 
-export function wordsOf({ exploration, value }: Given): string {
+function wordsOf({ exploration, value }: Given): string {
   return `Exploration ${exploration + 1}: ${value}`;
 }

@@ -5,6 +5,8 @@ import { Speaker } from "../page/speaker";
 import type { Tones } from "../page/tones";
 import type { Outcome } from "./namer";
 
+const kMarks: Record<Outcome["kind"], string> = { done: "✓", undone: "✓", unsaved: "!", refused: "✗" };
+
 export class NamingNote {
   readonly root = element("span", { class: "naming-note" });
   private readonly words = element("span");
@@ -17,9 +19,10 @@ export class NamingNote {
 
   show({ kind, words }: Outcome): void {
     this.count += 1;
-    this.root.classList.toggle("refused", kind === "refused");
-    write(this.words, `${kind === "refused" ? "✗" : "✓"} ${words}`);
+    const isGood = kind === "done" || kind === "undone";
+    this.root.classList.toggle("refused", !isGood);
+    write(this.words, `${kMarks[kind]} ${words}`);
     this.speaker.say(String(this.count), words);
-    this.tones.play(kind);
+    this.tones.play(isGood ? kind : "refused");
   }
 }

@@ -62,12 +62,13 @@ export class NamingQuestion {
     event.preventDefault();
     const state = this.model.shownState.value;
     const value = this.input.value.trim();
-    if (state === null || value === "") return;
+    const id = state === null ? null : idOf(state, this.subject);
+    if (state === null || id === null || value === "") return;
     const finish = this.finisher(); // the state in which it is taught may arrive before the answer
     this.teach.disabled = true;
-    const isDone = await this.model.send({ command: "name", label: labelOf(state), value });
+    const answer = await this.model.send({ command: "name", label: labelOf(state), value, id });
     this.teach.disabled = false;
-    if (isDone) finish();
+    if (answer !== "refused") finish();
   }
 
   private close(): void {
@@ -93,4 +94,9 @@ export class NamingQuestion {
     this.hasPaused = true;
     void this.model.send({ command: "pause" });
   }
+}
+
+/** Of an exploration that is kept; the next one may have begun. */
+function idOf(state: State, exploration: number | null): number | null {
+  return state.explorations.find(({ index }) => index === exploration)?.id ?? null;
 }

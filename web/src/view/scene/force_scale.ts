@@ -34,7 +34,9 @@ export class ForceScale {
     return this.known;
   }
 
-  share(value: number): number {
+  /** The share of a value, 0 to 1; null if it is missing. */
+  share(value: NumberOrNull | undefined): number | null {
+    if (value === null || value === undefined) return null;
     return Math.min(1, Math.max(0, Math.abs(value) / this.end || 0));
   }
 

@@ -141,7 +141,7 @@ export class HandPanel {
     if (!this.note.hidden) this.arrange();
     const touch = frame.channels["touch"] ?? [];
     const { scale } = this.model;
-    if (this.isSolid) this.view?.draw(frame, (element) => scale.share(touch[element] ?? 0));
+    if (this.isSolid) this.view?.draw(frame, (element) => scale.share(touch[element]));
     if (this.pointed !== null) this.describe();
     this.readings.show(frame);
   }

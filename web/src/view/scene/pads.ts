@@ -1,6 +1,6 @@
 // The touch sensors in three dimensions: a pad for each, grey at rest and bright when it is
-// touched, and an arrow towards each touched one. What hides a touched pad does not cover it. All
-// pads are drawn at once, and so are all arrows.
+// touched, and an arrow towards each touched one; small and dark where the value is missing. What
+// hides a touched pad does not cover it. All pads are drawn at once, and so are all arrows.
 
 import {
   Color,
@@ -24,9 +24,13 @@ import { padNormals } from "./pad_normals";
 
 const kSize = 1.25; // times the sensor, so that pads are seen
 const kGrowth = 0.5; // of the strongest
+const kMissing = { size: 0.6, colour: new Color(0x2c3136) };
 const kArrow = 0.034; // m, of the strongest
 const kUp = new Vector3(0, 0, 1);
 const colourOf = ramp((share) => new Color(touchColour(share)), 255);
+
+/** The strength of the touch of a taxel, 0 to 1; null if it is missing. */
+export type Share = (taxel: number) => number | null;
 
 export interface Pad {
   taxel: number;
@@ -55,16 +59,17 @@ export class Pads {
     this.root.add(this.pads, this.shining, this.arrows);
   }
 
-  /** Draws each pad where its body is; `share` gives the strength of each touch, 0 to 1. */
-  show(bodies: readonly Object3D[], share: (taxel: number) => number): void {
+  /** Draws each pad where its body is. */
+  show(bodies: readonly Object3D[], share: Share): void {
     let touched = 0;
     this.all.forEach((pad, i) => {
       const strength = share(pad.taxel);
       const frame = bodies[pad.body]?.matrixWorld ?? kNoMotion;
-      const at = placed(frame, pad, pad.radius * kSize * (1 + kGrowth * strength));
+      const size = strength === null ? kMissing.size : kSize * (1 + kGrowth * strength);
+      const at = placed(frame, pad, pad.radius * size);
       this.pads.setMatrixAt(i, at);
-      this.pads.setColorAt(i, colourOf(strength));
-      if (!isTouched(strength)) return;
+      this.pads.setColorAt(i, strength === null ? kMissing.colour : colourOf(strength));
+      if (strength === null || !isTouched(strength)) return;
       this.shining.setMatrixAt(touched, at);
       this.shining.setColorAt(touched, colourOf(strength));
       this.arrows.setMatrixAt(touched, arrowTo(frame, pad, strength));

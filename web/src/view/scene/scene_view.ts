@@ -21,6 +21,7 @@ import { drawsAtAll, drawsInSoftware } from "./graphics";
 import { lamps, type Surroundings, tableLines } from "./look";
 import { Orbit } from "./orbit";
 import { padCamera } from "./pad_camera";
+import type { Share } from "./pads";
 import { isPicture } from "../page/picture";
 import { PoseMotion } from "./pose_motion";
 import { SceneParts } from "./scene_parts";
@@ -30,8 +31,6 @@ export interface Pointing {
   pointed: (taxel: number | null) => void;
   picked: (taxel: number) => void;
 }
-
-type Share = (taxel: number) => number;
 
 const kClick = 4; // pixels that a click may stray
 const kRest = 350; // ms without movement, after which the picture is drawn finely
@@ -51,7 +50,7 @@ export class SceneView {
   private readonly finest: number; // pixels per CSS pixel
   private parts: SceneParts | null = null;
   private described: Scene | null = null;
-  private share: Share = () => 0;
+  private share: Share = () => null;
   private frame = ""; // that is to be drawn
   private chosen: number | null = null;
   private isTransparent = false;
@@ -121,7 +120,6 @@ export class SceneView {
     this.request();
   }
 
-  /** `share` gives the strength of each touch, 0 to 1. */
   draw(frame: Frame, share: Share): void {
     this.share = share;
     this.frame = `${frame.exploration}:${frame.frame}`;

@@ -44,7 +44,7 @@ export class Skin {
     const values = frame.channels[this.channel.name] ?? [];
     if (!this.isTouch) this.see(frame.exploration, values);
     this.picture.setValues(values, [0, this.scale.end]);
-    this.cells.forEach((cell, i) => cell.classList.toggle("lit", isTouched(this.scale.share(values[i] ?? 0))));
+    this.cells.forEach((cell, i) => cell.classList.toggle("lit", isTouched(this.scale.share(values[i]) ?? 0)));
   }
 
   private see(exploration: number, values: Frame["channels"][string]): void {

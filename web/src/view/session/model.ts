@@ -17,6 +17,9 @@ export type Question =
   | { about: "neuron"; map: string; neuron: number; answer: NeuronAnswer | null }
   | { about: "taxel"; element: number; answer: TaxelAnswer | null };
 
+/** Whether a command was executed, and its change saved. */
+export type Answer = "done" | "unsaved" | "refused";
+
 type Source = Pick<Listener, "link" | "state" | "scene">;
 
 export class Model implements Source {
@@ -90,14 +93,14 @@ export class Model implements Source {
     if (isShared) await this.send({ command: "dismiss" });
   }
 
-  /** Whether the command was executed; otherwise the problem is shown. */
-  async send(command: Command): Promise<boolean> {
+  /** Sends a command; a problem is shown. */
+  async send(command: Command): Promise<Answer> {
     try {
       await this.server.command(command);
-      return true;
+      return "done";
     } catch (problem) {
       this.problem.set(sentenceOf(problem));
-      return false;
+      return problem instanceof Refused && problem.isUnsaved ? "unsaved" : "refused";
     }
   }
 

@@ -1,12 +1,13 @@
 // Requests and commands from the page to the program.
 
-import type { Answers, Command, NeuronAnswer, Scene, Strips, TaxelAnswer } from "../data";
+import type { Answers, Command, NeuronAnswer, Refusal, Scene, Strips, TaxelAnswer } from "../data";
 
 /** An error, with a message for the page. */
 export class Refused extends Error {
   constructor(
     message: string,
     readonly status: number,
+    readonly isUnsaved = false, // the command was executed, but its change could not be saved
   ) {
     super(message);
   }
@@ -81,7 +82,8 @@ async function answerOf(response: Response): Promise<unknown> {
   const answer: unknown = await response.json().catch(() => undefined);
   const problem = problemOf(answer);
   if (response.ok && problem === null && answer !== undefined) return answer;
-  throw new Refused(problem ?? `The program responded with status ${response.status}`, response.status);
+  const words = problem ?? `The program responded with status ${response.status}`;
+  throw new Refused(words, response.status, problem !== null && (answer as Partial<Refusal>).unsaved === true);
 }
 
 function problemOf(answer: unknown): string | null {

@@ -4,10 +4,11 @@
 import type uPlot from "uplot";
 
 import { sequenceColour } from "../../parts/maps/colour_maps";
-import type { ChannelData, NumberOrNull } from "../../parts/data";
+import type { ChannelData } from "../../parts/data";
 import { paintPixels, pixelRamp, type PixelAt } from "../../parts/maps/painter";
 import { fingerGroups, type Group } from "../scene/finger_groups";
 import { gapsOf } from "./gaps";
+import { strongest, type Column } from "./strongest";
 import type { History } from "./history";
 import type { Model } from "../session/model";
 import { axes, drawMoment, kCursor, timeScale, type Plot } from "./strip_axes";
@@ -92,9 +93,6 @@ class Bands {
   }
 }
 
-/** The values at the moments that share a column of pixels; [] if unknown. */
-type Column = readonly (readonly NumberOrNull[])[];
-
 function columnsOf(history: History, channel: string, width: number, end: number): Column[] {
   const { times } = history;
   const rows = history.rows(channel);
@@ -111,19 +109,12 @@ function columnsOf(history: History, channel: string, width: number, end: number
   });
 }
 
-/** Where several elements or moments share a pixel it has the colour of the strongest. */
+/** Where several elements or moments share a pixel it has the colour of the strongest; none where all are missing. */
 function pixelsOf(columns: Column[], height: number, elements: number): PixelAt {
-  const most = Math.max(1e-9, ...columns.map((rows) => strongest(rows, 0, elements)));
+  const most = Math.max(1e-9, ...columns.map((rows) => strongest(rows, 0, elements) ?? 0));
   const first = (y: number) => Math.ceil((y * elements) / height);
   return (x, y) => {
-    const rows = columns[x] ?? [];
-    return rows.length === 0 ? null : colour(strongest(rows, first(y), first(y + 1)) / most);
+    const value = strongest(columns[x] ?? [], first(y), first(y + 1));
+    return value === null ? null : colour(value / most);
   };
-}
-
-function strongest(rows: Column, first: number, end: number): number {
-  let most = 0;
-  for (const values of rows)
-    for (let i = first; i < end; i += 1) most = Math.max(most, Math.abs(values[i] ?? 0) || 0);
-  return most;
 }

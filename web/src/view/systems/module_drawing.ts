@@ -31,9 +31,9 @@ export function drawBars(
 /** Where several values share a column of pixels, the line covers their range. */
 export function drawLine(context: CanvasRenderingContext2D, values: readonly NumberOrNull[]): void {
   const { width, height } = context.canvas;
-  const drawn = values.map((value) => value ?? 0);
-  const low = Math.min(0, ...drawn);
-  const high = Math.max(...drawn, low + 1e-9);
+  const known = values.filter((value) => value !== null);
+  const low = Math.min(0, ...known);
+  const high = Math.max(...known, low + 1e-9);
   const y = (value: number) => ((high - value) / (high - low)) * (height - 3) + 1.5;
   context.strokeStyle = themeColour("line-strong");
   context.beginPath();
@@ -43,7 +43,12 @@ export function drawLine(context: CanvasRenderingContext2D, values: readonly Num
   context.strokeStyle = themeColour("accent");
   context.lineWidth = Math.max(1, width / 500);
   context.beginPath();
-  drawn.forEach((value, i) => context.lineTo((i / Math.max(1, drawn.length - 1)) * width, y(value)));
+  values.forEach((value, i) => {
+    const x = (i / Math.max(1, values.length - 1)) * width;
+    if (value === null) return;
+    if ((values[i - 1] ?? null) === null) context.moveTo(x, y(value));
+    context.lineTo(x, y(value));
+  });
   context.stroke();
 }
 

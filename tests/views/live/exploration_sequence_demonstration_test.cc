@@ -1,4 +1,4 @@
-#include "views/live/demonstration.h"
+#include "views/live/exploration_sequence.h"
 
 #include <gtest/gtest.h>
 
