@@ -28,6 +28,8 @@ Command som_train_command();
 Command som_map_command();
 Command som_quality_command();
 Command som_plot_command();
+Command som_export_command();
+Command som_import_command();
 Command completions_command();
 Command inspect_command();
 Command recover_command();
