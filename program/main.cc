@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
       import_command(),       inspect_command(),        recover_command(),
       convert_command(),      som_train_command(),      som_map_command(),
       som_quality_command(),  som_plot_command(),       som_cluster_command(),
-      som_features_command(), completions_command(),    emulate_command(),
+      som_features_command(), som_export_command(),     som_import_command(),
+      completions_command(),  emulate_command(),
       device_check_command(), device_monitor_command(), device_calibrate_command()};
   commands.push_back(reference_command(commands));
   if (is_completion_request(argc, argv)) return answer_completion_request(argc, argv, commands);

@@ -30,6 +30,8 @@ Command som_quality_command();
 Command som_plot_command();
 Command som_cluster_command();
 Command som_features_command();
+Command som_export_command();
+Command som_import_command();
 Command completions_command();
 Command inspect_command();
 Command recover_command();

@@ -21,6 +21,9 @@
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
+#include "systems/exchange/map_array.h"
+#include "systems/exchange/map_import.h"
+#include "systems/exchange/map_npz_writer.h"
 #include "systems/model/complete_inputs.h"
 
 namespace somato::python {
@@ -134,6 +137,21 @@ Map Map::initial(const nb::dict& values, const SampleRows& rows) {
   Som som =
       apart_from_samples(value_or_throw(untrained_som(checked_parameters(values), rows.all())));
   return Map(SomModel{std::move(som), {}, {}, {}, {}, rows.means(), 0});
+}
+
+Map Map::of_weights(const nb::dict& parameters, const Rows& weights,
+                    const std::vector<std::uint64_t>& shape, std::vector<std::string> features) {
+  Matrix<float> copy(weights.shape(0), weights.shape(1),
+                     {weights.data(), weights.data() + weights.size()});
+  return Map(value_or_throw(map_of_weights(checked_parameters(parameters), {shape, std::move(copy)},
+                                           std::move(features), "SOM.from_weights")));
+}
+
+nb::tuple Map::imported(const std::string& path, const nb::dict& parameters,
+                        std::vector<std::string> features, const std::string& variable) {
+  ImportedMap map = value_or_throw(
+      import_map(path, {table_of(parameters, kPlace), std::move(features), variable}));
+  return nb::make_tuple(Map(std::move(map.model)), std::move(map.notes));
 }
 
 Map Map::learned(const SampleRows& rows, std::size_t threads) const {
@@ -283,6 +301,39 @@ nb::object Map::weights() const {
   return array_of(std::move(weights), shape);
 }
 
+nb::object Map::distances(const SampleRows& rows, std::size_t threads) const {
+  check_rows(rows);
+  const std::size_t neurons = model_.som.neurons();
+  std::vector<double> distances(rows.count() * neurons);
+  unlocked([&](Interrupts& interrupts) {
+    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
+      for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
+        SomWorkspace workspace;
+        for (std::size_t i = begin; i < end; ++i) {
+          double* const of_row = distances.data() + (first + i) * neurons;
+          for (std::size_t neuron = 0; neuron < neurons; ++neuron) {
+            of_row[neuron] = model_.som.distance(part[i], neuron, workspace);
+          }
+        }
+      });
+    });
+  });
+  const std::size_t shape[] = {rows.count(), neurons};
+  return array_of(std::move(distances), shape);
+}
+
+nb::object Map::positions() const {
+  const Grid& grid = model_.som.grid();
+  std::vector<double> positions;
+  positions.reserve(2 * grid.size());
+  for (std::size_t neuron = 0; neuron < grid.size(); ++neuron) {
+    const Position position = grid.position(neuron);
+    positions.insert(positions.end(), {position.x, position.y});
+  }
+  const std::size_t shape[] = {grid.size(), 2};
+  return array_of(std::move(positions), shape);
+}
+
 nb::object Map::u_matrix() const {
   const std::size_t shape[] = {model_.som.grid().rows(), model_.som.grid().columns()};
   return array_of(somato::u_matrix(model_.som), shape);
@@ -324,6 +375,10 @@ void bind_map(nb::module_& module) {
       .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows"), nb::arg("threads"),
                   nb::arg("progress").none() = nb::none())
       .def_static("initial", &Map::initial, nb::arg("parameters"), nb::arg("rows"))
+      .def_static("of_weights", &Map::of_weights, nb::arg("parameters"),
+                  nb::arg("weights").noconvert(), nb::arg("shape"), nb::arg("features"))
+      .def_static("imported", &Map::imported, nb::arg("path"), nb::arg("parameters"),
+                  nb::arg("features"), nb::arg("variable"))
       .def("learned", &Map::learned, nb::arg("rows"), nb::arg("threads"))
       .def("labelled", &Map::labelled, nb::arg("names"), nb::arg("winners").noconvert(),
            nb::arg("classes").noconvert())
@@ -334,7 +389,9 @@ void bind_map(nb::module_& module) {
       .def("labelled_winners", &Map::labelled_winners, nb::arg("rows"), nb::arg("threads"))
       .def("positions", &Map::positions, nb::arg("rows"))
       .def("quality", &Map::quality, nb::arg("rows"), nb::arg("threads"))
+      .def("distances", &Map::distances, nb::arg("rows"), nb::arg("threads"))
       .def("weights", &Map::weights)
+      .def("positions", &Map::positions)
       .def("u_matrix", &Map::u_matrix)
       .def("cells", &Map::cells)
       .def_prop_ro("parameters",
@@ -350,6 +407,14 @@ void bind_map(nb::module_& module) {
           "save",
           [](const Map& map, const std::string& path) {
             value_or_throw(save_som_model(path, map.model()));
+          },
+          nb::arg("path"))
+      .def(
+          "export_npz",
+          [](const Map& map, const std::string& path) {
+            auto saved = save_map_npz(path, map.model());
+            if (!saved && saved.error().where.empty()) saved.error().where = path;
+            value_or_throw(std::move(saved));
           },
           nb::arg("path"))
       .def_static(

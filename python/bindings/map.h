@@ -29,6 +29,15 @@ class Map {
   /// The initial map for rows.
   static Map initial(const nanobind::dict& parameters, const SampleRows& rows);
 
+  /// The map with `weights` of (neurons, features), which stand in an array of `shape`; see
+  /// map_of_weights().
+  static Map of_weights(const nanobind::dict& parameters, const Rows& weights,
+                        const std::vector<std::uint64_t>& shape, std::vector<std::string> features);
+
+  /// The map in a file that import_map() reads, and its notes.
+  static nanobind::tuple imported(const std::string& path, const nanobind::dict& parameters,
+                                  std::vector<std::string> features, const std::string& variable);
+
   /// A copy of the map that has learned the rows once each, in their order, after the samples that
   /// it has seen.
   Map learned(const SampleRows& rows, std::size_t threads) const;
@@ -62,7 +71,14 @@ class Map {
   /// The deviation of each column that is known; see SomModel::scales().
   const std::vector<double>& deviations() const;
 
+  /// The distance of each row from each neuron; float64 of (rows, neurons).
+  nanobind::object distances(const SampleRows& rows, std::size_t threads) const;
+
   nanobind::object weights() const;
+
+  /// The positions of the neurons on the map; float64 of (neurons, 2).
+  nanobind::object positions() const;
+
   nanobind::object u_matrix() const;
 
   /// The corners of each neuron's cell in a picture, clockwise, in widths of a cell: (neurons, 4 or

@@ -8,12 +8,13 @@ from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, Transfo
 
 from . import _somato
 from ._analysis import MapAnalysis
+from ._foreign_maps import parts_of_minisom, weights_of
 from ._labels import labels_of, places_of, warn_of_doubtful
 from ._numbers import number_of_threads, seed_of
 from ._progress import shown
 from ._rows import check_fitted, level_of_user, sample_rows_of
 from .drawing import Drawing, Look, MapData
-from .errors import DataError, LabelWarning, UsageError
+from .errors import DataError, LabelWarning, LeftOutWarning, UsageError
 
 # In __init__, but not parameters of a map.
 _NOT_OF_MAP = {"random_state", "seed", "missing", "extra_columns", "unlabelled", "threads", "verbose"}
@@ -172,6 +173,48 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         X = self._checked(X)
         return self.map_.activity(X, self._threads())
 
+    def distances(self, X) -> np.ndarray:
+        """The distance of each row from the weights of all neurons; float64 of (samples, neurons)."""
+        X = self._checked(X)
+        return self.map_.distances(X, self._threads())
+
+    def quantize(self, X) -> np.ndarray:
+        """The weights of each row's winner, in the units of ``weights_``; float32 of (samples, columns)."""
+        return self.weights_[self.map_.winners(self._checked(X), self._threads())]
+
+    def samples_of_neurons(self, X=None) -> dict:
+        """The numbers of the rows that each neuron wins, ascending; neurons without rows are absent.
+
+        Args:
+            X: Rows; None: those of ``fit``.
+
+        Raises:
+            UsageError: There are no rows: ``fit`` was not called.
+        """
+        winners = self._winners_of(X, "samples_of_neurons")
+        order = np.argsort(winners, kind="stable")
+        neurons, first = np.unique(winners[order], return_index=True)
+        return dict(zip(neurons.tolist(), np.split(order, first[1:])))
+
+    def class_counts(self, X=None, y=None) -> tuple:
+        """How many rows of each class each neuron wins, as in pies of a map.
+
+        Args:
+            X: Rows; None: those of ``fit``.
+            y: Their labels; None: those of ``fit``. Rows without a label do not count.
+
+        Returns:
+            The labels, and int64 of (neurons, labels).
+
+        Raises:
+            UsageError: There are no rows or no labels.
+        """
+        winners = self._winners_of(X, "class_counts")
+        names, numbers = self._labels_of_rows(X, y, len(winners))
+        counts = np.zeros((self._n_features_out, len(names)), np.int64)
+        np.add.at(counts, (winners[numbers >= 0], numbers[numbers >= 0]), 1)
+        return names, counts
+
     def classify(self, X) -> np.ndarray:
         """The label of the labelled neuron most similar to each row; of (samples,).
 
@@ -219,6 +262,16 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         """Weights of the neurons, row by row; float32 of (neurons, columns)."""
         check_fitted(self, "map_")
         return self.map_.weights()
+
+    @property
+    def positions_(self) -> np.ndarray:
+        """Positions of the neurons on the map; float64 of (neurons, 2), x to the right and y downwards.
+
+        The unit is the distance of neighbours in a row; odd rows of a hexagonal lattice are shifted by
+        1/2 to the right, and rows are sqrt(3)/2 apart.
+        """
+        check_fitted(self, "map_")
+        return self.map_.positions()
 
     def u_matrix(self) -> np.ndarray:
         """Mean distance of each neuron's weights from those of its neighbours; of (rows, columns)."""
@@ -303,10 +356,91 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         check_fitted(self, "map_")
         self.map_.save(os.fspath(path))
 
+    def export(self, path) -> None:
+        """Writes the map to an NPZ archive, which ``numpy.load`` opens without pickle.
+
+        ``SOM.load`` and ``somato som import`` read the same map from it. docs/formats/map-npz.md
+        describes its arrays.
+
+        Raises:
+            DataError: The weights need 4 GiB or more.
+        """
+        check_fitted(self, "map_")
+        self.map_.export_npz(os.fspath(path))
+
     @classmethod
-    def load(cls, path) -> "SOM":
-        """The estimator of a map in a model file, as ``save`` or ``somato som train`` wrote it."""
-        return cls._of(_somato.Map.load(os.fspath(path)))
+    def load(cls, path, *, features=None, variable=None, **parameters) -> "SOM":
+        """The estimator of a map in a file.
+
+        Args:
+            path: A model file of ``save`` or ``somato som train``, an archive of ``export``, a codebook
+                of SOM_PAK or SOM Toolbox (``.cod``), or weights of (rows, columns, features) or
+                (neurons, features) in a file of ``numpy.save`` or ``numpy.savez``.
+            features: Names of the columns, for an array.
+            variable: The array of an archive of ``numpy.savez`` with several.
+            **parameters: Parameters that an array or a codebook does not contain: ``lattice``,
+                ``topology``, ``similarity``, ``rows`` and ``columns`` of (neurons, features), ...
+
+        Raises:
+            OperatingSystemError: The file cannot be read.
+            DataError: It is damaged, or contains no map.
+            UsageError: An argument does not fit the file, or has no effect.
+
+        Warns:
+            LeftOutWarning: The map does not contain everything that is in the file.
+        """
+        trained, notes = _somato.Map.imported(os.fspath(path), parameters,
+                                              [str(name) for name in features or ()], variable or "")
+        for note in notes:
+            warnings.warn(f"{path}: {note}", LeftOutWarning, stacklevel=level_of_user())
+        return cls._of(trained)
+
+    @classmethod
+    def from_weights(cls, weights, *, lattice="rectangular", topology="plane", features=None,
+                     **parameters) -> "SOM":
+        """The estimator of a map that was trained elsewhere.
+
+        Args:
+            weights: Numbers of (rows, columns, features); or of (neurons, features), row by row, with
+                ``rows`` or ``columns`` as a parameter. A DataFrame of the latter has names.
+            lattice: Its lattice. Odd rows of a hexagonal one are shifted to the right.
+            topology: Its topology.
+            features: Names of the features, or None.
+            **parameters: Further parameters of ``SOM``, such as ``similarity``.
+
+        Raises:
+            DataError: The weights are no such array, not finite, or float32 does not hold what differs.
+            UsageError: The parameters contradict the array or each other.
+        """
+        som = cls(lattice=lattice, topology=topology, **parameters)
+        numbers, shape, names = weights_of(weights)
+        names = names if features is None else [str(name) for name in features]
+        found = cls._of(_somato.Map.of_weights(som._map_parameters(), numbers, shape, names))
+        return found.set_params(**{name: value for name, value in som.get_params(deep=False).items()
+                                   if name in _NOT_OF_MAP and name not in ("random_state", "seed")})
+
+    @classmethod
+    def from_minisom(cls, minisom, *, similarity=None, features=None) -> "SOM":
+        """The estimator of a map of the package MiniSom, which need not be installed.
+
+        Weights, lattice and the distance that chooses winners are taken over, the parameters of its
+        training are not. The first side of a rectangular map, x, becomes the rows, so that ``divmod`` of
+        a winner's number by ``columns`` is MiniSom's pair. On a hexagonal lattice MiniSom shifts lines
+        of equal y; these become the rows, with the last line first if there is an even number of them.
+
+        Args:
+            minisom: A ``MiniSom``.
+            similarity: Instead of its distance, which is found by comparing some values of
+                ``activate``.
+            features: Names of the features, or None.
+
+        Raises:
+            UsageError: Its distance has no equivalent here: a function, or the signed maximum that
+                MiniSom 2.3 computes for ``chebyshev``.
+            DataError: As for ``from_weights``.
+        """
+        weights, lattice, similarity = parts_of_minisom(minisom, similarity)
+        return cls.from_weights(weights, lattice=lattice, similarity=similarity, features=features)
 
     @classmethod
     def _of(cls, trained):
@@ -384,6 +518,26 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         return MapData(self.map_, hits, winners,
                        None if labels is None or not labels.known.any()
                        else (labels.names, labels.numbers), X)
+
+    def _winners_of(self, X, method):
+        """The winners of the rows of X, or else those of fit."""
+        if X is not None:
+            return self.map_.winners(self._checked(X), self._threads())
+        check_fitted(self, "map_")
+        if not hasattr(self, "winners_"):
+            raise UsageError("the map does not contain the rows that it was trained on",
+                             f"{type(self).__name__}.{method}", "pass X")
+        return self.winners_
+
+    def _labels_of_rows(self, X, y, rows):
+        """The labels of rows of X, or else those of fit: the distinct ones, and a number for each row."""
+        where = f"{type(self).__name__}.class_counts"
+        if y is not None:
+            labels = labels_of(y, rows, self.unlabelled, "y")
+            return labels.names, labels.numbers
+        if X is not None or not hasattr(self, "_classes_of_samples"):
+            raise UsageError("there are no labels", where, "pass y")
+        return self.classes_, self._classes_of_samples
 
     def _checked(self, X):
         check_fitted(self, "map_")

@@ -320,6 +320,10 @@ Error Archive::not_there(std::string_view name, std::string_view where, bool oth
           std::string(where), "check that it is the right file"};
 }
 
+bool is_archive(std::string_view bytes) {
+  return bytes.starts_with(kMagic);
+}
+
 std::string encode_archive(const Archive& archive) {
   std::string out(kMagic);
   out.reserve(room_for(archive));

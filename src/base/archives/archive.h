@@ -64,6 +64,9 @@ class Archive {
   std::vector<Entry> entries_;
 };
 
+/// Whether `bytes` begin like an archive.
+bool is_archive(std::string_view bytes);
+
 /// The archive as bytes, identical for equal archives.
 std::string encode_archive(const Archive& archive);
 

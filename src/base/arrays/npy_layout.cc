@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "base/archives/little_endian.h"
-#include "base/arrays/npy_header.h"
 #include "base/text/flag_hint.h"
 #include "base/text/text.h"
 #include "somato/files/npy.h"
@@ -99,18 +98,37 @@ struct Size {
   std::size_t columns;
 };
 
+tl::unexpected<Error> empty_array(const NpyHeader& header, std::string_view where) {
+  return refuse(where, fmt::format("the array is empty: {}", fmt::join(header.shape, " x ")),
+                "save an array with at least one row and one column");
+}
+
+// An array of several dimensions as a table of its last dimension.
 Result<Size> size_of(const NpyHeader& header, std::string_view where) {
-  const std::size_t dimensions = header.shape.size();
-  if (dimensions < 1 || dimensions > 2) {
-    return refuse(where, fmt::format("the array has {} dimensions instead of 1 or 2", dimensions),
-                  "reshape it to one row per sample: array.reshape(samples, -1)");
-  }
-  const Size size{header.shape[0], dimensions == 2 ? header.shape[1] : 1};
-  if (size.rows == 0 || size.columns == 0) {
-    return refuse(where, fmt::format("the array is empty: {} x {}", size.rows, size.columns),
-                  "save an array with at least one row and one column");
+  Size size{1, 1};
+  for (std::size_t i = 0; i < header.shape.size(); ++i) {
+    const std::uint64_t sides = header.shape[i];
+    if (sides == 0) return empty_array(header, where);
+    std::size_t& product = i > 0 && i + 1 == header.shape.size() ? size.columns : size.rows;
+    if (sides > std::numeric_limits<std::size_t>::max() / product) {
+      return refuse(where, "the array has more numbers than a file", "save it again");
+    }
+    product *= sides;
   }
   return size;
+}
+
+Result<void> check_table(const NpyHeader& header, std::string_view where) {
+  const std::size_t dimensions = header.shape.size();
+  if (dimensions >= 1 && dimensions <= 2) return {};
+  return refuse(where, fmt::format("the array has {} dimensions instead of 1 or 2", dimensions),
+                "reshape it to one row per sample: array.reshape(samples, -1)");
+}
+
+Result<void> check_type(const NpyHeader& header, std::string_view where) {
+  if (npy_type(header.type) != nullptr) return {};
+  return refuse(where, fmt::format("arrays of type {} are not supported", shown(header.type)),
+                "convert it first: array.astype('float32')");
 }
 
 // Compares the shape with the bytes that are there, without multiplying past the largest number.
@@ -129,6 +147,14 @@ Result<void> check_length(const Size& size, std::size_t number_size, std::size_t
                   "save only the array, with numpy.save");
   }
   return {};
+}
+
+Result<NpyLayout> layout_of(const NpyStart& start, std::size_t file_size, std::string_view where) {
+  const NpyType* type = npy_type(start.header.type);
+  SOMATO_TRY(const auto size, size_of(start.header, where));
+  SOMATO_TRY_VOID(check_length(size, type->size, file_size - start.size, where));
+  return NpyLayout{type,       size.rows,         size.columns, start.header.fortran_order,
+                   start.size, start.header.shape};
 }
 
 tl::unexpected<Error> not_a_float(double value, std::size_t row, std::size_t column,
@@ -184,20 +210,29 @@ Result<std::size_t> npy_header_size(std::string_view bytes, std::size_t file_siz
   return before + length;
 }
 
-Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
-                             std::string_view where) {
+Result<NpyStart> npy_start_of(std::string_view bytes, std::size_t file_size,
+                              std::string_view where) {
   SOMATO_TRY(const std::size_t start, npy_header_size(bytes, file_size, where));
   if (start > bytes.size()) return cut_within_header(where);
   const std::size_t before = bytes[6] == 1 ? 10 : 12;
-  SOMATO_TRY(const NpyHeader header, parse_npy_header(bytes.substr(before, start - before), where));
-  const NpyType* type = npy_type(header.type);
-  if (!type) {
-    return refuse(where, fmt::format("arrays of type {} are not supported", shown(header.type)),
-                  "convert it first: array.astype('float32')");
-  }
-  SOMATO_TRY(const auto size, size_of(header, where));
-  SOMATO_TRY_VOID(check_length(size, type->size, file_size - start, where));
-  return NpyLayout{type, size.rows, size.columns, header.fortran_order, start};
+  return parse_npy_header(bytes.substr(before, start - before), where).map([&](NpyHeader&& header) {
+    return NpyStart{std::move(header), start};
+  });
+}
+
+Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size,
+                             std::string_view where) {
+  SOMATO_TRY(const NpyStart start, npy_start_of(bytes, file_size, where));
+  SOMATO_TRY_VOID(check_type(start.header, where));
+  SOMATO_TRY_VOID(check_table(start.header, where));
+  return layout_of(start, file_size, where);
+}
+
+Result<NpyLayout> npy_layout_of_any(std::string_view bytes, std::size_t file_size,
+                                    std::string_view where) {
+  SOMATO_TRY(const NpyStart start, npy_start_of(bytes, file_size, where));
+  SOMATO_TRY_VOID(check_type(start.header, where));
+  return layout_of(start, file_size, where);
 }
 
 Result<NpyReading> npy_reading(const NpyLayout& layout, const CsvOptions& options,

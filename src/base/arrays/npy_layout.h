@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "base/arrays/npy_header.h"
 #include "base/tables/column_precision.h"
 #include "base/tables/table_columns.h"
 #include "somato/core/matrix.h"
@@ -30,6 +33,13 @@ struct NpyLayout {
   std::size_t columns = 0;
   bool fortran_order = false;
   std::size_t start = 0;  ///< Bytes before the first number.
+  std::vector<std::uint64_t> shape = {};
+};
+
+/// The description of an NPY file's array, and the bytes before its first element.
+struct NpyStart {
+  NpyHeader header;
+  std::size_t size = 0;
 };
 
 /// The parts of an NPY file that are read.
@@ -46,9 +56,19 @@ inline constexpr std::size_t kNpyStart = 12;
 Result<std::size_t> npy_header_size(std::string_view bytes, std::size_t file_size,
                                     std::string_view where);
 
-/// The layout of a file of `file_size` bytes that begins with `bytes`, among them its header.
+/// The start of a file of `file_size` bytes that begins with `bytes`, among them its header.
 /// Errors: kData at `where`.
+Result<NpyStart> npy_start_of(std::string_view bytes, std::size_t file_size,
+                              std::string_view where);
+
+/// The layout of a file of `file_size` bytes that begins with `bytes`, among them its header; an
+/// array of one dimension has one column. Errors: kData at `where`.
 Result<NpyLayout> npy_layout(std::string_view bytes, std::size_t file_size, std::string_view where);
+
+/// The same for an array of any number of dimensions: the last of two or more are columns, and all
+/// others together are rows.
+Result<NpyLayout> npy_layout_of_any(std::string_view bytes, std::size_t file_size,
+                                    std::string_view where);
 
 /// The parts of a file with that layout that are selected by `options`. Errors (kUsage, at
 /// `where`): a label column, a decimal comma, those of choose_columns().

@@ -7,70 +7,13 @@
 #include <optional>
 #include <vector>
 
-#include "base/archives/zip_reader.h"
-#include "base/arrays/npy_header.h"
-#include "base/arrays/npy_layout.h"
+#include "base/arrays/npz_arrays.h"
 #include "base/arrays/sparse_rows.h"
 #include "base/text/flag_hint.h"
 #include "somato/core/parameter.h"
 
 namespace somato {
 namespace {
-
-constexpr std::string_view kEnding = ".npy";
-
-// The members of an archive by the names of their arrays.
-class Arrays {
- public:
-  explicit Arrays(ZipReader archive, std::string where)
-      : archive_(std::move(archive)), where_(std::move(where)) {}
-
-  std::vector<std::string> names() const {
-    std::vector<std::string> names;
-    names.reserve(archive_.members().size());
-    for (const ZipReader::Member& member : archive_.members()) {
-      if (!member.name.ends_with(kEnding)) continue;
-      names.push_back(member.name.substr(0, member.name.size() - kEnding.size()));
-    }
-    return names;
-  }
-
-  bool has(const std::string& name) const { return find(name) != nullptr; }
-
-  // The bytes of the array's NPY file.
-  Result<std::string> read(const std::string& name) const {
-    const ZipReader::Member* member = find(name);
-    if (member == nullptr) {
-      return fail(ErrorKind::kData, fmt::format("the array '{}' is missing", name), where_,
-                  "save the matrix again");
-    }
-    return archive_.read(*member);
-  }
-
-  // The numbers of an array.
-  Result<std::vector<double>> numbers(const std::string& name) const {
-    SOMATO_TRY(const std::string bytes, read(name));
-    const std::string where = fmt::format("{}: {}", where_, name);
-    SOMATO_TRY(const NpyLayout layout, npy_layout(bytes, bytes.size(), where));
-    std::vector<double> numbers(layout.rows * layout.columns);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      numbers[i] = layout.type->read(bytes.data() + layout.start + i * layout.type->size);
-    }
-    return numbers;
-  }
-
- private:
-  const ZipReader::Member* find(const std::string& name) const {
-    const auto found = std::find_if(archive_.members().begin(), archive_.members().end(),
-                                    [&](const ZipReader::Member& member) {
-                                      return member.name == name + std::string(kEnding);
-                                    });
-    return found == archive_.members().end() ? nullptr : &*found;
-  }
-
-  ZipReader archive_;
-  std::string where_;
-};
 
 // The text in an array of bytes or characters without dimensions, such as csr: its ASCII.
 std::string text_in(const std::string& npy) {
@@ -82,7 +25,7 @@ std::string text_in(const std::string& npy) {
   return text;
 }
 
-Result<SparseMatrix> sparse_in(const Arrays& arrays, const std::string& where) {
+Result<SparseMatrix> sparse_in(const NpzArrays& arrays, const std::string& where) {
   SOMATO_TRY(const std::string format_bytes, arrays.read("format"));
   const std::string format = text_in(format_bytes);
   if (format != "csr" && format != "csc" && format != "coo") {
@@ -127,8 +70,7 @@ Result<SparseMatrix> sparse_in(const Arrays& arrays, const std::string& where) {
 
 Result<std::string> npy_in_npz(std::string_view bytes, const std::string& where,
                                const std::string& variable) {
-  SOMATO_TRY(ZipReader archive, ZipReader::open(bytes, where));
-  const Arrays arrays(std::move(archive), where);
+  SOMATO_TRY(const NpzArrays arrays, NpzArrays::open(bytes, where));
   if (variable.empty() && arrays.has("format") && arrays.has("shape")) {
     SOMATO_TRY(const SparseMatrix matrix, sparse_in(arrays, where));
     return npy_of_sparse(matrix, where);

@@ -1,5 +1,6 @@
 #include "somato/graph/som_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "somato/core/check.h"
 #include "systems/model/labels_part.h"
 #include "systems/model/model_parts.h"
+#include "systems/model/som_model_fit.h"
 
 namespace somato {
 namespace {
@@ -113,28 +115,9 @@ Result<void> read_labels(const Archive& archive, const std::string& where, SomMo
   return {};
 }
 
-// Refuses models that could be saved but not be loaded.
-void require_fit(const SomModel& model) {
-  const std::size_t size = model.som.input_size();
-  require(model.features.empty() || model.features.size() == size,
-          "a model needs one name for each input element, or none");
-  require(!model.standardization || (model.standardization->means.size() == size &&
-                                     model.standardization->deviations.size() == size),
-          "a model's standardization needs as many columns as the map");
-  require(model.means.empty() || model.means.size() == size,
-          "a model's means need as many columns as the map");
-  require(model.labels.neurons() == (model.classes.empty() ? 0 : model.som.neurons()),
-          "a model with classes needs a label or none for each neuron; a model without classes "
-          "needs none");
-  require(model.classes.empty() || !model.labels.labelled().empty(),
-          "a model with classes needs a neuron with a label");
-  for (const std::size_t neuron : model.labels.labelled()) {
-    require(*model.labels[neuron] < model.classes.size(), "a neuron's class has no name");
-  }
-}
-
 Archive archive_of(const SomModel& model) {
-  require_fit(model);
+  const std::string misfit = misfit_of(model);
+  require(misfit.empty(), misfit);
   Archive archive(kSomKind);
   add_som(archive, kSomPrefix, model.som);
   if (!model.features.empty()) archive.add("features", names_to_toml(model.features));
@@ -172,6 +155,30 @@ Result<SomModel> som_model_in(const Archive& archive, const std::string& where) 
   return model;
 }
 
+bool are_finite(const std::vector<double>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double one) { return std::isfinite(one); });
+}
+
+bool is_scale(double deviation) {
+  return std::isfinite(deviation) && deviation >= 0.0;
+}
+
+std::string misfit_of_scaling(const SomModel& model) {
+  const std::size_t size = model.som.input_size();
+  if (!model.means.empty() && model.means.size() != size) {
+    return "a model's means need as many columns as the map";
+  }
+  if (!are_finite(model.means)) return "a model's means need finite numbers";
+  if (!model.standardization) return {};
+  const auto& [means, deviations] = *model.standardization;
+  if (means.size() != size || deviations.size() != size) {
+    return "a model's standardization needs as many columns as the map";
+  }
+  const bool is_possible =
+      are_finite(means) && std::all_of(deviations.begin(), deviations.end(), is_scale);
+  return is_possible ? "" : "a standardization needs finite means, and deviations of at least 0";
+}
+
 // The standard deviation of an element of the weights of all neurons.
 double deviation_of(const Som& som, std::size_t element) {
   const auto neurons = static_cast<double>(som.neurons());
@@ -188,6 +195,25 @@ double deviation_of(const Som& som, std::size_t element) {
 }
 
 }  // namespace
+
+std::string misfit_of(const SomModel& model) {
+  const std::size_t size = model.som.input_size();
+  if (!model.features.empty() && model.features.size() != size) {
+    return "a model needs one name for each input element, or none";
+  }
+  if (std::string misfit = misfit_of_scaling(model); !misfit.empty()) return misfit;
+  if (model.labels.neurons() != (model.classes.empty() ? 0 : model.som.neurons())) {
+    return "a model with classes needs a label or none for each neuron; a model without classes "
+           "needs none";
+  }
+  if (!model.classes.empty() && model.labels.labelled().empty()) {
+    return "a model with classes needs a neuron with a label";
+  }
+  for (const std::size_t neuron : model.labels.labelled()) {
+    if (*model.labels[neuron] >= model.classes.size()) return "a neuron's class has no name";
+  }
+  return {};
+}
 
 std::vector<ColumnScale> SomModel::scales() const {
   std::vector<ColumnScale> scales(som.input_size());

@@ -10,55 +10,15 @@
 
 #include "base/archives/little_endian.h"
 #include "base/arrays/npy_header.h"
+#include "base/arrays/npy_numbers.h"
+#include "base/arrays/npy_texts.h"
 #include "recordings/explorations/growing_channel.h"
 
 namespace somato {
 namespace {
 
-// The code points of a text in UTF-8.
-std::vector<std::uint32_t> code_points(std::string_view text) {
-  std::vector<std::uint32_t> points;
-  points.reserve(text.size());
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool continues = (byte & 0xC0U) == 0x80U;
-    if (continues && !points.empty()) {
-      points.back() = points.back() << 6U | (byte & 0x3FU);
-    } else {
-      const std::uint32_t lead = byte < 0x80   ? 0x7FU
-                                 : byte < 0xE0 ? 0x1FU
-                                 : byte < 0xF0 ? 0x0FU
-                                               : 7U;
-      points.push_back(byte & lead);
-    }
-  }
-  return points;
-}
-
-std::string text_array(const std::vector<std::string>& texts, std::span<const std::size_t> shape) {
-  std::vector<std::vector<std::uint32_t>> points;
-  points.reserve(texts.size());
-  std::size_t longest = 1;  // numpy has no texts of no length.
-  for (const std::string& text : texts) {
-    points.push_back(code_points(text));
-    longest = std::max(longest, points.back().size());
-  }
-  std::string bytes = npy_file_start(fmt::format("<U{}", longest), shape);
-  for (std::vector<std::uint32_t>& text : points) {
-    text.resize(longest, 0);
-    for (const std::uint32_t point : text) append_little_endian(bytes, point);
-  }
-  return bytes;
-}
-
-std::string text_array(const std::vector<std::string>& texts) {
-  return text_array(texts, std::array{texts.size()});
-}
-
-std::string double_array(const std::vector<double>& numbers) {
-  std::string bytes = npy_file_start("<f8", std::array{numbers.size()});
-  for (const double number : numbers) append_little_endian(bytes, number);
-  return bytes;
+std::string npy_of_list(const std::vector<double>& numbers) {
+  return npy_of_numbers<double>(numbers, std::array{numbers.size()});
 }
 
 std::string frame_array(const Channel& channel) {
@@ -98,7 +58,7 @@ Result<void> NpzExport::add_frames(const Channel& channel) {
   SOMATO_TRY_VOID(add_member("frames/" + place, frame_array(channel)));
   const std::vector<double> times = known_times(channel);
   if (times.empty()) return {};
-  return add_member("times/" + place, double_array(times));
+  return add_member("times/" + place, npy_of_list(times));
 }
 
 Result<void> NpzExport::add(const Exploration& exploration) {
@@ -123,14 +83,15 @@ Result<void> NpzExport::add(const Exploration& exploration) {
 
 Result<void> NpzExport::finish() {
   for (const LabelValues& label : labels_) {
-    SOMATO_TRY_VOID(add_member("labels/" + label.name, text_array(label.values)));
+    SOMATO_TRY_VOID(add_member("labels/" + label.name, npy_of_texts(label.values)));
   }
   for (const ChannelNotes& channel : channels_) {
     const std::string& name = channel.description.name;
-    SOMATO_TRY_VOID(add_member("rates/" + name, double_array(channel.rates)));
-    SOMATO_TRY_VOID(add_member("unit/" + name, text_array({channel.description.unit}, {})));
+    SOMATO_TRY_VOID(add_member("rates/" + name, npy_of_list(channel.rates)));
+    SOMATO_TRY_VOID(add_member("unit/" + name, npy_of_texts({channel.description.unit}, {})));
     if (channel.description.element_names.empty()) continue;
-    SOMATO_TRY_VOID(add_member("elements/" + name, text_array(channel.description.element_names)));
+    SOMATO_TRY_VOID(
+        add_member("elements/" + name, npy_of_texts(channel.description.element_names)));
   }
   return zip_.finish().and_then([&] { return file_.commit(); });
 }

@@ -9,7 +9,7 @@
 
 #include "base/files/file_writer.h"
 #include "views/exports/recording_export.h"
-#include "views/exports/zip_writer.h"
+#include "base/archives/zip_writer.h"
 
 namespace somato {
 

@@ -1,4 +1,4 @@
-#include "views/exports/zip_writer.h"
+#include "base/archives/zip_writer.h"
 
 #include <fmt/format.h>
 
@@ -11,15 +11,15 @@
 namespace somato {
 namespace {
 
-constexpr std::uint32_t kMemberHead = 0x04034B50;
-constexpr std::uint32_t kDirectoryEntry = 0x02014B50;
-constexpr std::uint32_t kDirectoryEnd = 0x06054B50;
-constexpr std::uint32_t kDirectoryEnd64 = 0x06064B50;
+constexpr std::uint32_t kHeadOfMember = 0x04034B50;
+constexpr std::uint32_t kEntryOfDirectory = 0x02014B50;
+constexpr std::uint32_t kEndOfDirectory = 0x06054B50;
+constexpr std::uint32_t kEndOfDirectory64 = 0x06064B50;
 constexpr std::uint32_t kDirectoryLocator64 = 0x07064B50;
-constexpr std::uint16_t kVersion = 20;  // 2.0
-constexpr std::uint16_t kVersion64 = 45;
+constexpr std::uint16_t kZipVersion = 20;  // 2.0
+constexpr std::uint16_t kZipVersion64 = 45;
 constexpr std::uint16_t kNamesInUtf8 = 1U << 11U;
-constexpr std::uint16_t kStored = 0;
+constexpr std::uint16_t kUncompressed = 0;
 constexpr std::uint16_t kMidnight = 0;
 constexpr std::uint16_t kFirstDay = 0x21;  // 1980-01-01
 constexpr std::uint16_t kExtra64 = 1;
@@ -38,7 +38,7 @@ void append32(std::string& bytes, std::uint64_t number) {
 // The fields that the head of a member and its entry in the directory share.
 void append_member(std::string& bytes, const std::string& name, std::string_view content) {
   append16(bytes, kNamesInUtf8);
-  append16(bytes, kStored);
+  append16(bytes, kUncompressed);
   append16(bytes, kMidnight);
   append16(bytes, kFirstDay);
   append32(bytes, crc32(content));
@@ -55,9 +55,9 @@ std::string directory_entry(const std::string& name, std::string_view content,
     append16(extra, sizeof(place));
     append_little_endian(extra, place);
   }
-  const std::uint16_t version = extra.empty() ? kVersion : kVersion64;
+  const std::uint16_t version = extra.empty() ? kZipVersion : kZipVersion64;
   std::string entry;
-  append_little_endian(entry, kDirectoryEntry);
+  append_little_endian(entry, kEntryOfDirectory);
   append16(entry, version);
   append16(entry, version);
   append_member(entry, name, content);
@@ -74,10 +74,10 @@ std::string directory_entry(const std::string& name, std::string_view content,
 std::string directory_end(std::uint64_t members, std::uint64_t size, std::uint64_t place) {
   std::string end;
   if (members >= kMost16 || size >= kMost32 || place >= kMost32) {
-    append_little_endian(end, kDirectoryEnd64);
+    append_little_endian(end, kEndOfDirectory64);
     append_little_endian(end, kEnd64Size);
-    append16(end, kVersion64);
-    append16(end, kVersion64);
+    append16(end, kZipVersion64);
+    append16(end, kZipVersion64);
     append32(end, 0);  // This disk, and that of the directory.
     append32(end, 0);
     append_little_endian(end, members);
@@ -89,7 +89,7 @@ std::string directory_end(std::uint64_t members, std::uint64_t size, std::uint64
     append_little_endian(end, place + size);
     append32(end, 1);  // The number of disks.
   }
-  append_little_endian(end, kDirectoryEnd);
+  append_little_endian(end, kEndOfDirectory);
   append32(end, 0);  // Both disks.
   append16(end, members);
   append16(end, members);
@@ -113,8 +113,8 @@ Result<void> ZipWriter::add(const std::string& name, std::string_view bytes) {
   }
   const std::uint64_t place = place_;
   std::string head;
-  append_little_endian(head, kMemberHead);
-  append16(head, kVersion);
+  append_little_endian(head, kHeadOfMember);
+  append16(head, kZipVersion);
   append_member(head, name, bytes);
   append16(head, 0);  // No further fields.
   directory_ += directory_entry(name, bytes, place);
