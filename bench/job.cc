@@ -136,7 +136,7 @@ double now() {
 std::unique_ptr<Job> make_job(const Workload& workload, std::size_t threads) {
   const std::string& name = workload.name;
   if (name.ends_with("_streaming")) return std::make_unique<Stream>(workload, threads);
-  if (name == "winners") return std::make_unique<FindWinners>(workload, threads);
+  if (name.starts_with("winners")) return std::make_unique<FindWinners>(workload, threads);
   if (name == "clustered_search") {
     return std::make_unique<SearchLastHalf>(workload, threads, true);
   }

@@ -42,6 +42,11 @@ SomParameters hexagonal(SomParameters p) {
   return p;
 }
 
+SomParameters by(SomParameters p, Similarity similarity) {
+  p.similarity = similarity;
+  return p;
+}
+
 }  // namespace
 
 std::vector<Workload> all_workloads(std::size_t scale) {
@@ -65,6 +70,16 @@ std::vector<Workload> all_workloads(std::size_t scale) {
       sparse("sparse_streaming", from(steps, InitialWeights::kUniform)),
       {"winners", DataKind::kUniform, part(100000, scale), 64,
        from(in_batch(large, 0), InitialWeights::kSamples)},
+      {"winners_manhattan", DataKind::kUniform, part(100000, scale), 64,
+       by(from(in_batch(large, 0), InitialWeights::kSamples), Similarity::kManhattan)},
+      {"winners_chebyshev", DataKind::kUniform, part(100000, scale), 64,
+       by(from(in_batch(large, 0), InitialWeights::kSamples), Similarity::kChebyshev)},
+      {"winners_cosine", DataKind::kUniform, part(100000, scale), 64,
+       by(from(in_batch(large, 0), InitialWeights::kSamples), Similarity::kCosine)},
+      {"manhattan_batch", DataKind::kUniform, many, 256, by(dense, Similarity::kManhattan)},
+      {"many_online", DataKind::kUniform, many, 64, online(large, part(20000, scale))},
+      {"many_online_manhattan", DataKind::kUniform, many, 64,
+       by(online(large, part(20000, scale)), Similarity::kManhattan)},
       {"clustered_search", DataKind::kClustered, many, 256, in_batch(large, 10)},
       {"clustered_search_of_all", DataKind::kClustered, many, 256, in_batch(large, 10)},
   };

@@ -24,8 +24,11 @@ std::string next_name(const std::string& name) {
   return name.substr(0, digits) + fmt::format("{:0{}}", std::stoull(number) + 1, number.size());
 }
 
+// Values that training leaves out are not filled.
 std::string filled(const RowData& rows) {
-  return fmt::format("{} in {} ({})", counted(rows.known.missing(), "value"),
+  return fmt::format("{} {} in {} ({})",
+                     rows.missing == MissingFill::kLeaveOut ? "missing" : "filled",
+                     counted(rows.known.missing(), "value"),
                      counted(rows.known.incomplete(), "row"), choice_name(rows.missing));
 }
 
@@ -54,7 +57,7 @@ std::string columns_and_filled(const RowData& rows) {
   if (table.label) text += fmt::format("label {}\n", name_of(table, *table.label));
   const std::vector<std::size_t> left_out = table.left_out();
   if (!left_out.empty()) text += fmt::format("left_out {}\n", listed_columns(table, left_out));
-  if (rows.known.missing() > 0) text += fmt::format("filled {}\n", filled(rows));
+  if (rows.known.missing() > 0) text += filled(rows) + "\n";
   return text;
 }
 
@@ -65,7 +68,7 @@ void note_columns_and_filled(const RowData& rows) {
   if (!left_out.empty()) {
     fmt::print(stderr, "somato: {}: left out {}\n", path, listed_columns(rows.columns, left_out));
   }
-  if (rows.known.missing() > 0) fmt::print(stderr, "somato: {}: filled {}\n", path, filled(rows));
+  if (rows.known.missing() > 0) fmt::print(stderr, "somato: {}: {}\n", path, filled(rows));
 }
 
 void note_rounded(const RowData& rows) {

@@ -56,7 +56,9 @@ std::vector<Flag> table_flags() {
            fmt::format("Treatment of missing values (empty fields, NaN and words such as NA): {}",
                        "refuse; mean uses the mean of the known training values of the column; "
                        "nearest uses the value of the nearest complete row or, with a trained "
-                       "map, finds the winner by the known values. Default: refuse")},
+                       "map, finds the winner by the known values; leave_out does so in training, "
+                       "too, and each weight learns from the rows that know its column. Default: "
+                       "refuse")},
           {"--decimal", "Decimal separator in text, point or comma. Default: point"},
           {"--header",
            "Whether the first line of a text file contains names, yes or no. Default: "

@@ -218,7 +218,7 @@ void RowData::keep(Samples samples) {
 
 Result<void> RowData::fill(const std::vector<double>& means, const std::vector<double>& scale) {
   if (!holds_missing) return {};
-  holds_missing = false;
+  holds_missing = missing == MissingFill::kLeaveOut;
   if (missing == MissingFill::kMean) {
     if (all_) {
       keep(filled_with(means, *all_));
@@ -230,9 +230,12 @@ Result<void> RowData::fill(const std::vector<double>& means, const std::vector<d
   }
   if (!all_) {
     return fail(ErrorKind::kSystem,
-                "--missing nearest needs all rows in memory, and they exceed the memory for rows",
+                fmt::format("--missing {} needs all rows in memory, and they exceed the memory for "
+                            "rows",
+                            choice_name(missing)),
                 path, "use --missing mean, or a larger --memory");
   }
+  if (missing == MissingFill::kLeaveOut) return {};
   auto filled = filled_from_nearest(*all_, scale, terminal_progress("filling"));
   if (!filled) {
     filled.error().where = path;

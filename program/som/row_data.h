@@ -43,8 +43,8 @@ class RowData {
   SampleSource& samples() const { return filled_ ? *filled_ : *samples_; }
 
   /// Fills missing values with `means`, or from the nearest row, with differences divided by
-  /// `scale` unless that is empty. Errors: kSystem if rows are read in parts and the nearest ones
-  /// are required; those of filled_from_nearest().
+  /// `scale` unless that is empty; values that are left out remain. Errors: kSystem if rows are
+  /// read in parts and all are required; those of filled_from_nearest().
   Result<void> fill(const std::vector<double>& means, const std::vector<double>& scale);
 
  private:

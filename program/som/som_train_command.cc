@@ -15,6 +15,7 @@
 #include "som/map_and_rows.h"
 #include "som/processes.h"
 #include "somato/maps/som_training.h"
+#include "systems/model/complete_inputs.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
 
@@ -34,7 +35,7 @@ Result<void> fill_missing(const Arguments& arguments, RowData& rows, std::vector
   const bool scaled = rows.missing == MissingFill::kNearest && arguments.has("standardize");
   std::vector<double> scale;
   if (scaled && rows.in_memory()) scale = known_deviations(*rows.in_memory(), *known);
-  if (rows.missing == MissingFill::kMean) means = *known;
+  if (rows.missing != MissingFill::kNearest) means = *known;
   return rows.fill(*known, scale);
 }
 
@@ -50,6 +51,15 @@ Result<void> check_rows(const Arguments& arguments, const RowData& rows) {
   return refuse_constant_columns(rows, rows.path);
 }
 
+// The standardization of the known values, for rows whose missing values are left out.
+Standardization standardization_of_known(const RowData& rows, const std::vector<double>& means) {
+  Standardization fitted{means, known_deviations(*rows.in_memory(), means)};
+  for (std::size_t d = 0; d < means.size(); ++d) {
+    if (rows.low[d] == rows.high[d]) fitted.deviations[d] = 0.0;
+  }
+  return fitted;
+}
+
 // A model without its map.
 Result<SomModel> start_model(const Arguments& arguments, const RowData& rows,
                              std::vector<double> means) {
@@ -57,6 +67,10 @@ Result<SomModel> start_model(const Arguments& arguments, const RowData& rows,
   model.features = rows.features;
   model.means = std::move(means);
   if (!arguments.has("standardize")) return model;
+  if (rows.holds_missing) {
+    model.standardization = standardization_of_known(rows, model.means);
+    return model;
+  }
   return Standardization::fit(rows.samples(), {ConstantColumns::kZero}, rows.features)
       .map([&](Standardization&& fitted) {
         model.standardization = std::move(fitted);
@@ -101,6 +115,11 @@ Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses
   SOMATO_TRY(const auto parameters, read_som_parameters(arguments));
   SOMATO_TRY(const auto threads, threads_of(arguments, processes));
   const bool is_batch = parameters.training == Training::kBatch;
+  SOMATO_TRY(const auto missing, read_missing(arguments));
+  if (missing == MissingFill::kLeaveOut && arguments.has("checkpoint")) {
+    return fail(ErrorKind::kUsage, "training that leaves missing values out saves no checkpoints",
+                "--checkpoint", "leave it out, or use --missing mean");
+  }
   if (!is_batch && arguments.has("checkpoint")) {
     return fail(without_effect("checkpoint", "training is online", "--checkpoint"));
   }
@@ -125,6 +144,7 @@ Result<Som> train_map(const TrainingRequest& request, const SomModel& model, con
     return train_som(request.parameters, prepared.samples(), options);
   }
   const Samples prepared = model.prepare(*rows.in_memory());
+  if (rows.holds_missing) return train_leaving_out(request.parameters, prepared, options);
   if (options.checkpoint.empty() && !options.processes) {
     return train_som(request.parameters, prepared, options);
   }
@@ -181,7 +201,7 @@ Result<RowData> read_training_rows(const Arguments& arguments, JoinedProcesses* 
   SOMATO_TRY_VOID(check_count(rows));
   std::vector<double> means;
   SOMATO_TRY_VOID(fill_missing(arguments, rows, means));
-  SOMATO_TRY(const auto model, start_model(arguments, rows, {}));
+  SOMATO_TRY(const auto model, start_model(arguments, rows, std::move(means)));
   offsets = model.standardization->offsets();
   const bool near = std::all_of(offsets.begin(), offsets.end(), [](double o) { return o == 0.0; });
   if (near) return rows;

@@ -12,8 +12,10 @@ Result<MissingValues> missing_of(MissingFill fill) {
   if (fill == MissingFill::kRefuse) return MissingValues::kRefuse;
   if (fill == MissingFill::kMean) return MissingValues::kMask;
   return fail(ErrorKind::kUsage,
-              "a study cannot replace missing values by those of the nearest row", "--missing",
-              "use --missing mean");
+              fill == MissingFill::kLeaveOut
+                  ? "a study cannot leave missing values out"
+                  : "a study cannot replace missing values by those of the nearest row",
+              "--missing", "use --missing mean");
 }
 
 }  // namespace

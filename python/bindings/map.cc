@@ -61,6 +61,11 @@ Som apart_from_samples(const Som& som) {
   return som.products() ? Som(som.parameters(), som.weights(), som.elements()) : som;
 }
 
+// Initial weights know no missing values.
+Samples complete(const SampleRows& rows) {
+  return rows.leaves_out() ? filled_with(rows.means(), rows.all()) : rows.all();
+}
+
 Result<void> check_row(const SignalView& prepared, std::size_t row) {
   if (is_in_range(prepared)) return {};
   return fail(ErrorKind::kData,
@@ -125,7 +130,9 @@ Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threa
   unlocked(
       [&](Interrupts& interrupts) {
         const Samples samples = rows.all();
-        auto trained = train_som(parameters, samples, {threads, interrupts.progress()});
+        const TrainingOptions options{threads, interrupts.progress()};
+        auto trained = rows.leaves_out() ? train_leaving_out(parameters, samples, options)
+                                         : train_som(parameters, samples, options);
         if (!trained && trained.error().kind == ErrorKind::kInterrupted) return;
         som = apart_from_samples(value_or_throw(std::move(trained)));
       },
@@ -135,7 +142,7 @@ Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threa
 
 Map Map::initial(const nb::dict& values, const SampleRows& rows) {
   Som som =
-      apart_from_samples(value_or_throw(untrained_som(checked_parameters(values), rows.all())));
+      apart_from_samples(value_or_throw(untrained_som(checked_parameters(values), complete(rows))));
   return Map(SomModel{std::move(som), {}, {}, {}, {}, rows.means(), 0});
 }
 
@@ -162,8 +169,10 @@ Map Map::learned(const SampleRows& rows, std::size_t threads) const {
   const Schedule rate = changed.som.parameters().learning_rate();
   const Schedule radius = changed.som.parameters().radius();
   unlocked([&](Interrupts& interrupts) {
-    SomLearner learner(changed.som, threads);
-    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
+    SomLearner learner(changed.som, threads, rows.leaves_out());
+    for_each_part(taking(rows), rows, interrupts, [&](Samples part, std::size_t first) {
+      // Known elements only; those of `part` have been filled.
+      if (rows.leaves_out()) part = taking(rows).prepare(rows.part(first, part.count()));
       std::vector<SignalView> inputs(part.count());
       std::vector<LearningStep> steps(part.count());
       for (std::size_t i = 0; i < part.count(); ++i) {

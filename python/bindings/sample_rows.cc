@@ -94,8 +94,12 @@ SampleRows SampleRows::filled() const {
   KnownValues known;
   value_or_throw(known.take(samples));
   const std::vector<double> means = value_or_throw(known.means({}));
-  if (missing_ == MissingFill::kMean) whole.means_ = means;
+  if (missing_ != MissingFill::kNearest) whole.means_ = means;
   if (known.missing() == 0) return whole;
+  if (leaves_out()) {
+    whole.missing_ = missing_;
+    return whole;
+  }
   whole.dense_ = rows_of(missing_ == MissingFill::kMean ? filled_with(means, samples)
                                                         : value_or_throw(from_nearest(samples)));
   return whole;

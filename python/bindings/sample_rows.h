@@ -30,16 +30,20 @@ class SampleRows {
   MissingFill missing() const { return missing_; }
   bool is_moved() const { return is_moved_; }
 
-  /// The rows for a training that begins: missing values are filled as `somato som train` does.
-  /// Throws Failure if that is not possible.
+  /// The rows for a training that begins: missing values are filled as `somato som train` does, or
+  /// remain if they are left out. Throws Failure if that is not possible.
   SampleRows filled() const;
 
-  /// The means of the columns, if missing values were filled with them; otherwise empty.
+  /// The means of the columns, if missing values were filled with them or are left out; otherwise
+  /// empty.
   const std::vector<double>& means() const { return means_; }
 
   /// `count` rows from `first` on: a view of dense rows, a copy of sparse ones. Valid during the
   /// lifetime of this object.
   Samples part(std::size_t first, std::size_t count) const;
+
+  /// Whether rows may hold missing values that training leaves out.
+  bool leaves_out() const { return missing_ == MissingFill::kLeaveOut; }
 
   /// All rows.
   Samples all() const { return part(0, count_); }

@@ -40,8 +40,10 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
             training draws another seed.
         seed: The same by its name in the program; None: ``random_state``.
         missing: Treatment of missing values of X, which are None, NA, NaN or masked: ``refuse``;
-            ``mean``, which is that of the column in the training data; or ``nearest``, which is the
-            value of the nearest complete row in ``fit``, and the weight of the winner afterwards.
+            ``mean``, which is that of the column in the training data; ``nearest``, which is the
+            value of the nearest complete row in ``fit``, and the weight of the winner afterwards; or
+            ``leave_out``, with which winners follow from the known values in ``fit``, too, and each
+            weight learns from the rows that know its column.
         extra_columns: Treatment of a table's columns that ``fit`` did not have: ``refuse``, as in
             scikit-learn, which also requires their order; or ``ignore``, which selects those of ``fit``
             by their names.

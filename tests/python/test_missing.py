@@ -339,3 +339,54 @@ def test_missing_values_of_recordings_are_refused_with_their_place(value):
 def test_missing_labels_of_recordings_are_refused(value):
     with pytest.raises(pysomato.DataError, match="label 'object' of exploration 1"):
         Recording.from_arrays({"object": ["cup", value]}, {"touch": [[[1.0]], [[2.0]]]})
+
+
+def batch_by_known(X, weights, radii, similarity):
+    """Batch training in loops: winners and means over the known values (Samad and Harp 1992)."""
+    neurons = np.arange(len(weights))
+    for radius in radii:
+        gains = np.exp(-(neurons[:, None] - neurons) ** 2 / (2 * radius ** 2))
+        differences = np.abs(X[:, None] - weights)
+        distances = (np.nansum(differences, axis=2) if similarity == "manhattan" else
+                     np.nansum(differences ** 2, axis=2) if similarity == "euclidean" else
+                     np.nanmax(differences, axis=2))
+        to_neurons = gains[distances.argmin(axis=1)]
+        sums = to_neurons.T @ np.nan_to_num(X)
+        weights = sums / (to_neurons.T @ ~np.isnan(X))
+    return weights
+
+
+@pytest.mark.parametrize("similarity", ["euclidean", "manhattan", "chebyshev"])
+def test_left_out_values_are_no_part_of_distances_and_means(similarity):
+    random = np.random.default_rng(3)
+    X = random.normal(size=(60, 5)).astype(np.float32).astype(np.float64)
+    X[np.arange(60), np.arange(60) % 5] = np.nan  # no row is complete
+    settings = {"similarity": similarity, "missing": "leave_out", "training": "batch"}
+    schedule = {"radius_start": 1.5, "radius_end": 1.5, "radius_schedule": "linear"}
+    initial = SOM(1, 6, epochs=0, **settings, **schedule).fit(X).weights_.astype(np.float64)
+    som = SOM(1, 6, epochs=4, **settings, **schedule).fit(X)
+    expected = batch_by_known(X, initial, [1.5] * 4, similarity)
+    np.testing.assert_allclose(som.weights_, expected, atol=1e-5)
+    known = np.abs(X[:, None] - som.weights_.astype(np.float64))
+    distances = {"euclidean": np.sqrt(np.nansum(known ** 2, axis=2)),
+                 "manhattan": np.nansum(known, axis=2),
+                 "chebyshev": np.nanmax(known, axis=2)}[similarity]
+    np.testing.assert_array_equal(som.predict(X), distances.argmin(axis=1))
+    assert som.quantization_error_ == pytest.approx(distances.min(axis=1).mean(), rel=1e-6)
+
+
+def test_partial_fit_leaves_values_out():
+    X = np.array([[1.0, np.nan], [np.nan, 3.0], [2.0, 5.0]])
+    som = SOM(1, 1, missing="leave_out", iterations=2, learning_rate_start=0.5, learning_rate_end=0.5,
+              initial_weights="range").partial_fit(X)
+    before = SOM(1, 1, missing="mean", iterations=0, initial_weights="range").fit(X).weights_[0]
+    # Three steps of a half, of which two know each column.
+    np.testing.assert_allclose(som.weights_[0], [(before[0] + 1) / 4 + 1, (before[1] + 3) / 4 + 2.5],
+                               rtol=1e-6)
+
+
+def test_maps_of_directions_cannot_leave_values_out():
+    X = np.array([[1.0, np.nan], [np.nan, 3.0], [2.0, 5.0]])
+    for similarity in ("cosine", "dot_product"):
+        with pytest.raises(pysomato.UsageError, match="which missing values leave unknown"):
+            SOM(2, 2, similarity=similarity, missing="leave_out").fit(X)

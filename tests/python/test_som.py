@@ -47,6 +47,43 @@ def test_winners_are_the_nearest_neurons(X):
     np.testing.assert_array_equal(som.hits_, np.bincount(som.winners_, minlength=20))
 
 
+def cosine_distances(X, weights):
+    products = X @ weights.T
+    lengths = np.linalg.norm(X, axis=1)[:, None] * np.linalg.norm(weights, axis=1)
+    return 1 - np.divide(products, lengths, out=np.zeros_like(products), where=lengths > 0)
+
+
+DISTANCES = {
+    "euclidean": lambda X, weights: np.linalg.norm(X[:, None] - weights, axis=2),
+    "manhattan": lambda X, weights: np.abs(X[:, None] - weights).sum(axis=2),
+    "chebyshev": lambda X, weights: np.abs(X[:, None] - weights).max(axis=2),
+    "cosine": cosine_distances,
+}
+
+
+@pytest.mark.parametrize("training", ["online", "batch"])
+@pytest.mark.parametrize("similarity", DISTANCES)
+def test_every_distance_is_that_of_numpy(X, similarity, training):
+    parameters = {"iterations": 300} if training == "online" else {"epochs": 5}
+    som = SOM(5, 4, similarity=similarity, training=training, **parameters).fit(X)
+    rows, weights = X.astype(np.float64), som.weights_.astype(np.float64)
+    distances = DISTANCES[similarity](rows, weights)
+    np.testing.assert_array_equal(som.predict(X), distances.argmin(axis=1))
+    assert som.quantization_error_ == pytest.approx(distances.min(axis=1).mean(), rel=1e-9)
+    activity = (1 / (1 + distances)) ** 10
+    np.testing.assert_allclose(som.transform(X), activity / activity.max(axis=1, keepdims=True),
+                               rtol=1e-4)
+    heights = SOM(1, 2, similarity=similarity, iterations=9).fit(X)
+    between = DISTANCES[similarity](*np.split(heights.weights_.astype(np.float64), 2))[0, 0]
+    np.testing.assert_allclose(heights.map_.u_matrix(), [[between, between]], rtol=1e-9)
+
+
+def test_inner_products_are_refused_for_other_distances(X):
+    for similarity in ("manhattan", "chebyshev", "cosine"):
+        with pytest.raises(pysomato.UsageError, match=f"similarity '{similarity}'"):
+            SOM(3, 3, similarity=similarity, arithmetic="inner_products").fit(X)
+
+
 def test_activity_is_the_power_of_the_similarity(X):
     som = SOM(5, 4, iterations=300, softmax_exponent=3).fit(X)
     activity = (1 / (1 + distances_to(som.weights_, X))) ** 3

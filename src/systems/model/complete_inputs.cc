@@ -5,7 +5,8 @@
 namespace somato {
 
 Result<void> check_fills(const SomModel& model, MissingFill missing) {
-  if (missing == MissingFill::kNearest) return check_takes_incomplete(model.som);
+  if (missing == MissingFill::kNearest || missing == MissingFill::kLeaveOut)
+    return check_takes_incomplete(model.som);
   if (missing == MissingFill::kRefuse || !model.fill_values().empty()) return {};
   return fail(ErrorKind::kUsage, "the map does not contain the means of its training data", {},
               "train a map with the means of the columns, or take missing values from the winner");
@@ -16,11 +17,21 @@ Samples complete_inputs(const SomModel& model, MissingFill missing, const Sample
     case MissingFill::kMean:
       return model.prepare(filled_with(model.fill_values(), samples));
     case MissingFill::kNearest:
+    case MissingFill::kLeaveOut:
       return filled_from_winners(model.som, model.prepare(samples));
     case MissingFill::kRefuse:
       break;
   }
   return model.prepare(samples);
+}
+
+Result<Som> train_leaving_out(const SomParameters& parameters, const Samples& samples,
+                              TrainingOptions options) {
+  KnownValues known;
+  SOMATO_TRY_VOID(known.take(samples));
+  SOMATO_TRY(const auto means, known.means({}));
+  options.incomplete = &samples;
+  return train_som(parameters, filled_with(means, samples), options);
 }
 
 }  // namespace somato

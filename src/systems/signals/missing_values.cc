@@ -67,7 +67,8 @@ const std::vector<std::pair<MissingFill, std::string>>& Choices<MissingFill>::al
   static const std::vector<std::pair<MissingFill, std::string>> kAll{
       {MissingFill::kRefuse, "refuse"},
       {MissingFill::kMean, "mean"},
-      {MissingFill::kNearest, "nearest"}};
+      {MissingFill::kNearest, "nearest"},
+      {MissingFill::kLeaveOut, "leave_out"}};
   return kAll;
 }
 

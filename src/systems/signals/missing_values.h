@@ -18,6 +18,7 @@ enum class MissingFill {
   kRefuse,   ///< They are an error.
   kMean,     ///< The mean of their column, over the training samples that know it.
   kNearest,  ///< The value of the nearest complete sample; with a trained map, the winner's weight.
+  kLeaveOut,  ///< Left out of distances and updates in training; with a trained map as kNearest.
 };
 
 template <>

@@ -201,5 +201,32 @@ TEST_F(MissingValues, ThatAreNotThereChangeNothing) {
             output_of({"som", "map", "x.map", "mean.csv"}));
 }
 
+// With a single neuron that all samples win, each weight is the mean of what is known of its
+// column: here in standard deviations of the known values, 0.
+TEST_F(MissingValues, AreLeftOutOfTheMeansOfWeights) {
+  write_tables();
+  const Words one{"som",        "train", "--rows",    "1",         "--columns", "1",
+                  "--training", "batch", "--missing", "leave_out", "-o",        "x.map"};
+  for (const char* similarity : {"euclidean", "manhattan", "chebyshev"}) {
+    const std::string said = output_of(with_words(one, {"--similarity", similarity, "holes.csv"}));
+    EXPECT_NE(said.find("missing 3 values in 2 rows (leave_out)\n"), std::string::npos) << said;
+    EXPECT_EQ(weights("x.map"), Matrix<float>(1, 3, {3, 20, 5}));
+    output_of(with_words(one, {"--similarity", similarity, "--standardize", "holes.npy"}));
+    for (const float weight : weights("x.map").values()) EXPECT_NEAR(weight, 0.0, 1e-6);
+    output_of({"som", "map", "x.map", "holes.csv", "--missing", "leave_out"});
+  }
+  const auto model = load_som_model(path("x.map")).value();
+  EXPECT_NEAR(model.standardization->deviations[0], std::sqrt(2.5), 1e-12);
+  EXPECT_NEAR(model.standardization->means[1], 20.0, 1e-12);
+}
+
+TEST_F(MissingValues, AreNotLeftOutByDirectionsCheckpointsOrParts) {
+  write_tables();
+  const Words leaving = training({"holes.csv", "--missing", "leave_out"});
+  expect_refused(2, with_words(leaving, {"--similarity", "cosine"}), {"missing values"});
+  expect_refused(2, with_words(leaving, {"--checkpoint", "c"}), {"--checkpoint"});
+  expect_refused(1, with_words(leaving, kPieces), {"--missing leave_out needs all rows in memory"});
+}
+
 }  // namespace
 }  // namespace somato
