@@ -115,7 +115,7 @@ Result<MapArray> map_array_in_npy(std::string_view bytes, const std::string& whe
                 fmt::format("the array has {} dimensions instead of 2 or 3", dimensions), where,
                 "save an array of rows x columns x features, or neurons x features");
   }
-  SOMATO_TRY(const NpyReading reading, npy_reading(layout, {}, where));
+  SOMATO_TRY(NpyReading reading, npy_reading(layout, {}, where));
   SOMATO_TRY(auto weights, npy_matrix(bytes, layout, reading, where));
   if (layout.fortran_order && dimensions == 3) {
     weights = row_by_row(weights, layout.shape[0], layout.shape[1]);
