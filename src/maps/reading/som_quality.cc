@@ -7,7 +7,7 @@
 
 #include "base/core/threads.h"
 #include "maps/reading/winner_search.h"
-#include "maps/som/similarity_scores.h"
+#include "maps/som/known_elements.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -18,7 +18,7 @@ double weight_distance(const Som& som, std::size_t a, std::size_t b) {
   std::vector<float> of_b(of_a.size());
   som.weights().copy_row(a, of_a);
   som.weights().copy_row(b, of_b);
-  return distance_between(som.parameters().similarity, of_a, of_b);
+  return distance_between(som.parameters(), of_a, of_b);
 }
 
 }  // namespace
