@@ -106,6 +106,19 @@ struct Choices<ActivityNorm> {
   static const std::vector<std::pair<ActivityNorm, std::string>>& all();
 };
 
+/// A group of neighbouring elements of an input, with a distance of its own.
+struct Layer {
+  std::string name;
+  std::size_t first = 0;
+  std::size_t count = 0;
+  Similarity similarity = Similarity::kEuclidean;  ///< A distance: not kDotProduct.
+  double weight = 1.0;                             ///< Above 0.
+  /// The distance that counts as 1, above 0; automatic: the mean distance of training samples.
+  std::optional<double> scale = {};
+
+  bool operator==(const Layer&) const = default;
+};
+
 /// All parameters of a SOM. declarations() gives the meaning, unit and range of each.
 struct SomParameters {
   std::optional<std::size_t> rows = {};
@@ -134,6 +147,10 @@ struct SomParameters {
   ActivityNorm activity_norm = ActivityNorm::kMaximum;
   std::uint64_t seed = 1;
 
+  /// The layers of the input, all its elements in order, or none (layers.h). Not declared, because
+  /// they belong to the columns of the data.
+  std::vector<Layer> layers = {};
+
   static const Declarations<SomParameters>& declarations();
 
   /// Whether a side of the map is derived from the number of samples.
@@ -154,6 +171,11 @@ struct SomParameters {
             *learning_rate_reached_at};
   }
 };
+
+/// Whether winners of the map follow from inner products and lengths.
+inline bool follows_from_products(const SomParameters& parameters) {
+  return parameters.layers.empty() && follows_from_products(parameters.similarity);
+}
 
 /// Sets automatic sides: 5 sqrt(samples) neurons, in a grid as close to a square as possible
 /// (Vesanto, Himberg, Alhoniemi and Parhankangas, SOM Toolbox for Matlab 5, 2000), and for such a

@@ -14,7 +14,7 @@ namespace {
 bool inner_products_pay(const SomParameters& parameters, std::size_t samples,
                         std::size_t features) {
   constexpr std::size_t kMostSamples = 8192;  // their products take half a gigabyte
-  if (!follows_from_products(parameters.similarity)) return false;
+  if (!follows_from_products(parameters)) return false;
   if (samples > kMostSamples) return false;
   return parameters.training == Training::kBatch
              ? 8 * samples <= features && parameters.epochs >= 8
@@ -198,12 +198,14 @@ Result<void> check_given_side(const SomParameters& parameters) {
 
 Result<void> check_arithmetic(const SomParameters& parameters) {
   if (parameters.arithmetic != Arithmetic::kInnerProducts ||
-      follows_from_products(parameters.similarity)) {
+      follows_from_products(parameters)) {
     return {};
   }
   return fail(ErrorKind::kUsage,
-              fmt::format("inner products do not give the distances of similarity '{}'",
-                          choice_name(parameters.similarity)),
+              parameters.layers.empty()
+                  ? fmt::format("inner products do not give the distances of similarity '{}'",
+                                choice_name(parameters.similarity))
+                  : "inner products do not give the distances of layers",
               "arithmetic", "set 'arithmetic' to plain or leave it out");
 }
 

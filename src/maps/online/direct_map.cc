@@ -62,12 +62,11 @@ Learned DirectMap::learn(std::span<const OnlineInput> inputs, std::span<const Le
 std::size_t DirectMap::winner(std::span<const float> input, const std::vector<KnownRun>& known) {
   AlignedVector<float>& scores = workspace_.scores_;
   scores.resize(som_.weights().padded_rows());
-  const KnownScores known_scores(input, known);
+  const KnownScores known_scores(som_.parameters(), input, known);
   for_each_part([&](std::size_t first, std::size_t blocks) {
     const auto weights = kernels::lanes(std::as_const(weights_to_change(som_)));
     const std::size_t begin = first * kFloatLanes;
-    known_scores.write(som_.parameters().similarity,
-                       {weights.values + begin * weights.columns, blocks, weights.columns},
+    known_scores.write({weights.values + begin * weights.columns, blocks, weights.columns},
                        std::min(som_.neurons() - begin, blocks * kFloatLanes),
                        scores.data() + begin);
   });

@@ -55,7 +55,7 @@ SomLearner::Form SomLearner::form_for(const OnlineInput& input) const {
 }
 
 bool SomLearner::learns_directly() const {
-  return incomplete_ || !follows_from_products(som_.parameters().similarity);
+  return incomplete_ || !follows_from_products(som_.parameters());
 }
 
 void SomLearner::begin(Form form) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "maps/reading/sample_reader.h"
-#include "maps/som/similarity_scores.h"
+#include "maps/som/known_elements.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -17,7 +17,7 @@ double weight_distance(const Som& som, std::size_t a, std::size_t b) {
   std::vector<float> of_b(of_a.size());
   som.weights().copy_row(a, of_a);
   som.weights().copy_row(b, of_b);
-  return distance_between(som.parameters().similarity, of_a, of_b);
+  return distance_between(som.parameters(), of_a, of_b);
 }
 
 }  // namespace

@@ -15,13 +15,14 @@ WinnerSearch::WinnerSearch(const Som& som, std::size_t threads) : som_(som), map
 bool WinnerSearch::pays(const Som& som, const Samples& samples) {
   constexpr std::size_t kFewNeurons = 32;
   constexpr std::size_t kFewSamples = 64;
-  return !samples.is_sparse() && samples.count() >= kFewSamples && som.neurons() >= kFewNeurons;
+  return follows_from_products(som.parameters()) && !samples.is_sparse() && samples.count() >= kFewSamples && som.neurons() >= kFewNeurons;
 }
 
 std::vector<Winners> WinnerSearch::find_all(const Som& som, const Samples& seen, bool two,
                                             std::size_t threads, bool skip) {
   std::vector<Winners> found(seen.count());
-  if (!follows_from_products(som.parameters().similarity)) {
+  const SomParameters& parameters = som.parameters();
+  if (parameters.layers.empty() && !follows_from_products(parameters)) {
     const ScoreSearch search(som);
     for_each_range(seen.count(), threads, [&](std::size_t begin, std::size_t end) {
       search.find(seen, begin, two, std::span(found).subspan(begin, end - begin));

@@ -18,9 +18,8 @@ namespace {
 std::size_t winner_by_known(const Som& som, std::span<const float> sample,
                             std::span<float> scores) {
   const std::vector<KnownRun> runs = known_runs(sample);
-  const KnownScores known(sample, runs);
-  known.write(som.parameters().similarity, kernels::lanes(som.weights()), som.neurons(),
-              scores.data());
+  const KnownScores known(som.parameters(), sample, runs);
+  known.write(kernels::lanes(som.weights()), som.neurons(), scores.data());
   return known.winner(som, scores.first(som.neurons()));
 }
 
@@ -37,8 +36,11 @@ void fill_from_winner(const Som& som, std::span<float> sample, std::span<float> 
 
 Result<void> check_takes_incomplete(const Som& som) {
   const SomParameters& parameters = som.parameters();
-  const bool by_elements = parameters.similarity != Similarity::kDotProduct &&
-                           parameters.similarity != Similarity::kCosine;
+  const auto by_cosine = [](const Layer& layer) { return layer.similarity == Similarity::kCosine; };
+  const bool by_elements =
+      parameters.similarity != Similarity::kDotProduct &&
+      parameters.similarity != Similarity::kCosine &&
+      std::none_of(parameters.layers.begin(), parameters.layers.end(), by_cosine);
   if (by_elements && !parameters.normalize_input.value_or(false)) return {};
   return fail(ErrorKind::kUsage,
               by_elements

@@ -8,6 +8,7 @@
 #include "base/core/lanes.h"
 #include "base/kernels/batch_kernels.h"
 #include "maps/grid/activity.h"
+#include "maps/som/known_elements.h"
 #include "maps/som/product_reading.h"
 #include "maps/som/similarity_scores.h"
 #include "somato/core/check.h"
@@ -53,8 +54,8 @@ Som::Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements ele
     : Som(std::move(parameters), std::move(weights)) {
   elements_ = std::move(elements);
   require(weights_.columns() == elements_.count(), "a map needs a weight for each stored element");
-  // The greatest difference may be that of an element that is not stored.
-  if (parameters_.similarity == Similarity::kChebyshev) store_all();
+  // The greatest difference may be that of an element that is not stored, and layers count all.
+  if (parameters_.similarity == Similarity::kChebyshev || !parameters_.layers.empty()) store_all();
 }
 
 Som::Som(SomParameters parameters, const Matrix<float>& weights,
@@ -129,7 +130,13 @@ std::span<const float> Som::scores(const SignalView& input, SomWorkspace& worksp
 
 std::span<const float> Som::scores_of(std::span<const float> x, SomWorkspace& workspace) const {
   workspace.scores_.resize(weights().padded_rows());
-  if (!follows_from_products(parameters_.similarity)) {
+  if (!parameters_.layers.empty()) {
+    const std::vector<KnownRun> all{{0, x.size()}};
+    KnownScores(parameters_, x, all)
+        .write(kernels::lanes(weights()), neurons(), workspace.scores_.data());
+    return {workspace.scores_.data(), neurons()};
+  }
+  if (!follows_from_products(parameters_)) {
     const float* const input = x.data();
     float* const out = workspace.scores_.data();
     SimilarityScores(parameters_.similarity, kernels::lanes(weights()), neurons())
@@ -176,7 +183,8 @@ std::span<const float> Som::ascending_scores_of(std::span<const float> prepared,
 // double precision: the error of each is at most `rounding` of the squared distance, which is a sum
 // of positive terms, or of |x| |w|, with |w| = 1 in a dot-product map.
 float Som::score_margin(float least, std::span<const float> prepared) const {
-  if (!follows_from_products(parameters_.similarity)) {
+  if (!parameters_.layers.empty()) return static_cast<float>(layered_margin(parameters_, least));
+  if (!follows_from_products(parameters_)) {
     return static_cast<float>(somato::score_margin(parameters_.similarity, least, prepared));
   }
   const auto columns = static_cast<double>(elements_.count());
@@ -217,6 +225,7 @@ double Som::exact_score(std::span<const float> prepared, std::size_t neuron,
                         SomWorkspace& workspace) const {
   workspace.row_.resize(elements_.count());
   weights().copy_row(neuron, workspace.row_);
+  if (!parameters_.layers.empty()) return distance_between(parameters_, workspace.row_, prepared);
   return somato::exact_score(parameters_.similarity, workspace.row_.data(), prepared.data(),
                              prepared.size());
 }
@@ -231,13 +240,14 @@ std::size_t Som::winner_among(std::span<const std::size_t> candidates, const Sig
 // In the place of the scores.
 void Som::find_similarities(const SignalView& input, SomWorkspace& workspace) const {
   const std::span<const float> all = scores(input, workspace);
-  if (parameters_.similarity == Similarity::kDotProduct) return;
-  if (parameters_.similarity == Similarity::kEuclidean) {
+  if (parameters_.layers.empty() && parameters_.similarity == Similarity::kDotProduct) return;
+  if (follows_from_products(parameters_)) {
     similarities_of_squares(workspace.scores_, workspace.left_out_);
     return;
   }
-  const DistanceOfScore distance(parameters_.similarity, prepare(input, workspace),
-                                 workspace.left_out_);
+  const Similarity similarity =
+      parameters_.layers.empty() ? parameters_.similarity : Similarity::kManhattan;  // a distance
+  const DistanceOfScore distance(similarity, prepare(input, workspace), workspace.left_out_);
   std::transform(all.begin(), all.end(), workspace.scores_.begin(), [&](float score) {
     return static_cast<float>(1.0 / (1.0 + distance(double{score})));
   });
@@ -260,10 +270,10 @@ void Som::activity(const SignalView& input, SomWorkspace& workspace, std::span<f
 double Som::distance(const SignalView& input, std::size_t neuron, SomWorkspace& workspace) const {
   const std::span<const float> x = prepare(input, workspace);
   const LaneMatrix<float>& weights = this->weights();
-  if (!follows_from_products(parameters_.similarity)) {
+  if (!follows_from_products(parameters_)) {
     workspace.row_.resize(x.size());
     weights.copy_row(neuron, workspace.row_);
-    return distance_between(parameters_.similarity, workspace.row_, x, workspace.left_out_);
+    return distance_between(parameters_, workspace.row_, x, workspace.left_out_);
   }
   double sum = workspace.left_out_;
   for (std::size_t d = 0; d < x.size(); ++d) {

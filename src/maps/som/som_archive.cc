@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "maps/som/layer_parts.h"
 #include "maps/som/map_parts.h"
 
 namespace somato {
@@ -118,6 +119,9 @@ Result<std::shared_ptr<const NeuronGraph>> read_graph(const Archive& archive,
 void add_som(Archive& archive, const std::string& prefix, const Som& som) {
   archive.add(prefix + "parameters", parameters_to_toml(som.parameters()));
   add_matrix(archive, prefix + "weights", som.weights().to_matrix());
+  if (!som.parameters().layers.empty()) {
+    archive.add(prefix + "layers", layers_to_toml(som.parameters().layers));
+  }
   if (!som.elements().all()) add_elements(archive, prefix, som.elements());
   if (som.grid().graph()) add_graph(archive, prefix, *som.grid().graph());
 }
@@ -128,6 +132,7 @@ Result<Som> som_from(const Archive& archive, const std::string& prefix, const st
   if (weights.rows() != parameters.grid().size()) {
     return damaged_model("the map's weights do not fit its grid", where);
   }
+  SOMATO_TRY(parameters.layers, layers_from(archive, prefix + "layers", weights.columns(), where));
   if (archive.find(prefix + "graph")) {
     SOMATO_TRY(auto graph, read_graph(archive, prefix + "graph", weights.rows(), where));
     if (parameters.grid().rows() == 1) return Som(parameters, weights, std::move(graph));

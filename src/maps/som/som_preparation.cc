@@ -11,6 +11,7 @@
 #include "base/core/memory.h"
 #include "maps/som/initial_weights.h"
 #include "maps/som/sample_range.h"
+#include "somato/maps/layers.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_training.h"
 
@@ -18,7 +19,8 @@ namespace somato {
 namespace {
 
 StoredElements worth_storing(const SomParameters& parameters, const Samples& samples) {
-  return InitialWeightsSource::are_zero_without_samples(parameters)
+  // Layers count all elements.
+  return InitialWeightsSource::are_zero_without_samples(parameters) && parameters.layers.empty()
              ? StoredElements::used_by(samples)
              : StoredElements(samples.size());
 }
@@ -94,6 +96,9 @@ Result<PreparedTraining> prepare_training(const SomParameters& parameters, const
                                           Samples& storage) {
   SOMATO_TRY_VOID(check_samples(samples));
   SOMATO_TRY(SomParameters resolved, resolve(parameters, samples.count(), samples.size()));
+  SOMATO_TRY_VOID(check_layers(resolved, samples.size()));
+  resolved = with_scales(std::move(resolved), samples);
+  SOMATO_TRY_VOID(check_scales(resolved));
   StoredElements elements = worth_storing(resolved, samples);
   SOMATO_TRY_VOID(check_memory(resolved, elements.count()));
   const Samples* prepared = &prepared_samples(resolved, samples, storage);

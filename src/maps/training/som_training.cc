@@ -16,6 +16,7 @@
 #include "maps/training/source_preparation.h"
 #include "maps/training/training_checkpoint.h"
 #include "somato/core/check.h"
+#include "somato/maps/layers.h"
 #include "somato/maps/som_learner.h"
 
 namespace somato {
@@ -217,6 +218,8 @@ Result<void> train(SomStart& start, const TrainingOptions& options) {
 Result<SomParameters> resolve_for(const SomParameters& parameters, const SampleSurvey& survey) {
   SOMATO_TRY_VOID(check_samples(survey.count, survey.low.size()));
   SOMATO_TRY_VOID(check_longest(survey.longest));
+  SOMATO_TRY_VOID(check_layers(parameters, survey.low.size()));
+  SOMATO_TRY_VOID(check_scales(parameters));
   return resolve(parameters, survey.count, survey.low.size());
 }
 
