@@ -1,4 +1,4 @@
-"""What a trained map tells: measures, clusters of its neurons, features."""
+"""Measures of a trained map, clusters of its neurons, and its features."""
 
 import numpy as np
 

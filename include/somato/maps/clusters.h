@@ -128,7 +128,7 @@ struct ClusterSamples {
   double purity = 0.0;              ///< The share of its samples with that class.
 };
 
-/// What the samples say about each cluster; `winners[i]` and `classes[i]` belong to sample i.
+/// The samples of each cluster; `winners[i]` and `classes[i]` belong to sample i.
 /// `classes` may be empty. Throws InvalidArgument if sizes differ or a winner is not on the map.
 std::vector<ClusterSamples> samples_of_clusters(const Grid& grid, const Clusters& clusters,
                                                 const std::vector<std::size_t>& winners,

@@ -177,10 +177,9 @@ inline bool follows_from_products(const SomParameters& parameters) {
   return parameters.layers.empty() && follows_from_products(parameters.similarity);
 }
 
-/// Sets automatic sides: 5 sqrt(samples) neurons, in a grid as close to a square as possible
-/// (Vesanto, Himberg, Alhoniemi and Parhankangas, SOM Toolbox for Matlab 5, 2000), and for such a
-/// map automatic `iterations`: 500 per neuron (Kohonen, The Self-Organizing Map, Proceedings of the
-/// IEEE 78, 1990). Other parameters are unchanged.
+/// Sets automatic sides: 10 sqrt(samples) neurons, in a grid as close to a square as possible, and
+/// for such a map automatic `iterations`, 100 per neuron and at least 20,000, and an automatic
+/// `radius_end`, 0.5 (docs/decisions/0040-automatic-size.md). Other parameters are unchanged.
 void decide_size(SomParameters& parameters, std::size_t samples);
 
 /// The parameters with all automatic values resolved for `samples` samples with `features`

