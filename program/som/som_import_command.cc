@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/text/text.h"
@@ -40,19 +41,34 @@ Result<void> import_file(const Arguments& arguments) {
   return {};
 }
 
+// The parameters of a trained map, not those of its training. Here the sides are never automatic.
+Flag flag_of_parameter(const ParameterInfo& info) {
+  if (info.name == "rows" || info.name == "columns") {
+    return {flag_of(info.name),
+            fmt::format("The map's {}, for weights of neurons x features", info.name)};
+  }
+  std::string text = info.text.substr(0, info.text.find_last_not_of('.') + 1);
+  if (!info.choices.empty()) text += fmt::format(": {}", fmt::join(info.choices, ", "));
+  return {flag_of(info.name), std::move(text)};
+}
+
 }  // namespace
 
 Command som_import_command() {
+  std::vector<Flag> flags{output_flag("-o,--output", "File for the map", true),
+                          {"--features", "Names of the features, separated by commas"},
+                          {"--variable", "The array of an NPZ file with several"}};
+  for (const ParameterInfo& info : MapImportOptions::parameters()) {
+    flags.push_back(flag_of_parameter(info));
+  }
   return {"som import",
           "Read a map of another program, or one that som export has written",
           {{"FILE",
             "Archive of som export, weights of rows x columns x features in an NPY or NPZ file, or "
             "codebook of SOM_PAK or SOM Toolbox (.cod)",
             true}},
-          {output_flag("-o,--output", "File for the map", true),
-           {"--features", "Names of the features, separated by commas"},
-           {"--variable", "The array of an NPZ file with several"}},
-          MapImportOptions::parameters(),
+          std::move(flags),
+          {},
           import_file};
 }
 

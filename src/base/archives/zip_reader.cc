@@ -57,7 +57,9 @@ Result<void> ZipReader::read_directory() {
     return bad("the archive has no list of its members");
   }
   const std::size_t count = short_at(last, end + 10);
-  std::size_t place = number_at(last, end + 16);
+  const std::uint32_t size = number_at(last, end + 12);
+  const std::size_t begin = number_at(last, end + 16);
+  std::size_t place = begin;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string_view entry = bytes_.substr(std::min(place, bytes_.size()));
     if (!entry.starts_with(kDirectoryEntry) || entry.size() < kDirectoryEntrySize) {
@@ -72,6 +74,10 @@ Result<void> ZipReader::read_directory() {
                         number_at(entry, 42)});
     if ((short_at(entry, 8) & kEncrypted) != 0) return bad("the archive is encrypted");
     place += whole;
+  }
+  // A damaged number of members would hide some of them.
+  if (size != kIn64Bits && place - begin != size) {
+    return bad("the list of the archive's members does not have its size");
   }
   return {};
 }

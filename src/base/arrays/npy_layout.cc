@@ -99,7 +99,9 @@ struct Size {
 };
 
 tl::unexpected<Error> empty_array(const NpyHeader& header, std::string_view where) {
-  return refuse(where, fmt::format("the array is empty: {}", fmt::join(header.shape, " x ")),
+  const std::string_view column = header.shape.size() == 1 ? " x 1" : "";
+  return refuse(where,
+                fmt::format("the array is empty: {}{}", fmt::join(header.shape, " x "), column),
                 "save an array with at least one row and one column");
 }
 

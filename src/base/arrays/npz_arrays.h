@@ -19,6 +19,9 @@ class NpzArrays {
 
   std::vector<std::string> names() const;
 
+  /// Whether the archive has members that are not arrays.
+  bool has_others() const { return names().size() != archive_.members().size(); }
+
   bool has(const std::string& name) const { return find(name) != nullptr; }
 
   /// The bytes of the array's NPY file. Errors (kData): it is missing or damaged.

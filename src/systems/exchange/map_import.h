@@ -9,7 +9,7 @@
 
 namespace somato {
 
-/// What a file of another program does not contain.
+/// Content that a file of another program may lack.
 struct MapImportOptions {
   /// Parameters of the map by their names; those of MapImportOptions::parameters().
   Table given = {};

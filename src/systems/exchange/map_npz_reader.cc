@@ -49,9 +49,11 @@ Result<void> check_known(const NpzArrays& arrays, const std::string& where) {
       return damaged_model(fmt::format("the archive has the array '{}' twice", name), where);
     }
     if (kKnownArrays.contains(name)) continue;
-    return fail(unknown_name("array", name, where, {kKnownArrays.begin(), kKnownArrays.end()}));
+    return damaged_model(
+        unknown_name("array", name, where, {kKnownArrays.begin(), kKnownArrays.end()}), where);
   }
-  return {};
+  if (!arrays.has_others()) return {};
+  return damaged_model("the archive has a member that is not an array", where);
 }
 
 Result<std::vector<std::string>> names_in(const NpzArrays& arrays, const std::string& name) {

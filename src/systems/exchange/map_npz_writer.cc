@@ -143,7 +143,9 @@ Result<void> add_map(MapWriter& file, const Som& som) {
   SOMATO_TRY_VOID(file.add("weights", weights_array(som)));
   SOMATO_TRY_VOID(file.add("positions", positions_array(som.grid())));
   const NeuronGraph* graph = som.grid().graph();
-  if (graph != nullptr) SOMATO_TRY_VOID(file.add("edges", edges_array(*graph)));
+  if (graph != nullptr && !graph->edges().empty()) {
+    SOMATO_TRY_VOID(file.add("edges", edges_array(*graph)));
+  }
   if (som.elements().all()) return {};
   return file.add("elements", list_array(som.elements().listed()));
 }

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/archives/zip_writer.h"
 #include "base/files/file_writer.h"
 #include "views/exports/recording_export.h"
-#include "base/archives/zip_writer.h"
 
 namespace somato {
 

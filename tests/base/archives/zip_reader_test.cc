@@ -49,6 +49,15 @@ TEST(ZipReader, DamageIsNamed) {
   EXPECT_NE(zip_refusal(changed).find("encrypted"), std::string::npos);
 }
 
+TEST(ZipReader, ADamagedNumberOfMembersHidesNone) {
+  const std::string bytes = made_zip({{"a", "1"}, {"b", "2"}, {"c", "3"}}, false);
+  for (const char count : {'\0', '\1', '\2'}) {
+    std::string changed = bytes;
+    changed[bytes.find("PK\5\6") + 10] = count;
+    EXPECT_NE(zip_refusal(changed).find("does not have its size"), std::string::npos);
+  }
+}
+
 TEST(ZipReader, AnyBytesAreReadOrRefused) {
   Random random(3);
   const std::string bytes = made_zip({{"a", std::string(200, 'x')}, {"b", "1234567"}}, true);

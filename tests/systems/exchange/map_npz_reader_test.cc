@@ -99,7 +99,8 @@ TEST(MapNpzReader, SaysWhatIsWrongWithEachArray) {
   expect_array_refused("parameters", parameters_with("rows", "-1"), "rows");
   expect_array_refused("parameters", parameters_with("rows", "18446744073709551615"), "rows");
   expect_array_refused("parameters", parameters_with("lattice", "\"round\""), "lattice");
-  expect_array_refused("parameters", parameters_with("radius_end", "\"automatic\""), "radius_end");
+  expect_array_refused("parameters", parameters_with("radius_start", "\"automatic\""),
+                       "still automatic");
   expect_array_refused("mean", "", "both 'mean' and 'scale'");
   expect_array_refused("mean", npy<double>({1, 2}, {2}), "as many columns");
   expect_array_refused("scale", npy<double>({1, 2, -1}, {3}), "deviations of at least 0");
@@ -140,13 +141,13 @@ TEST(MapNpzReader, RefusesOrIgnoresEveryTurnedBitAndRefusesEveryTruncation) {
   ASSERT_TRUE(save_map_npz(path, model));
   const std::string whole = bytes_of(path);
   const std::string wanted = encode_som_model(model);
-  for (std::size_t bit = 0; bit < 8 * whole.size(); bit += 7) {
+  for (std::size_t bit = 0; bit < 8 * whole.size(); bit += 59) {
     std::string damaged = whole;
     damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
     const auto read_back = map_in_npz(damaged, path);
-    if (read_back) EXPECT_EQ(encode_som_model(*read_back), wanted) << bit;
+    if (read_back) EXPECT_TRUE(encode_som_model(*read_back) == wanted) << bit;
   }
-  for (std::size_t size = 0; size < whole.size(); size += 13) {
+  for (std::size_t size = 0; size < whole.size(); size += 59) {
     EXPECT_FALSE(map_in_npz(whole.substr(0, size), path)) << size;
   }
 }
