@@ -13,6 +13,7 @@
 #include "interrupts.h"
 #include "maps/pictures/cells.h"
 #include "maps/som/sample_range.h"
+#include "maps/som/som_preparation.h"
 #include "maps/training/batch_training.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
@@ -98,15 +99,22 @@ Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threa
                nb::object progress) {
   const SomParameters parameters = checked_parameters(values);
   Som som;
+  std::uint64_t steps = 0;
   unlocked(
       [&](Interrupts& interrupts) {
         const Samples samples = rows.all();
-        auto trained = train_som(parameters, samples, {threads, interrupts.progress()});
+        TrainingOptions options{threads, interrupts.progress()};
+        options.steps_done = &steps;
+        auto trained = train_som(parameters, samples, options);
         if (!trained && trained.error().kind == ErrorKind::kInterrupted) return;
         som = apart_from_samples(value_or_throw(std::move(trained)));
       },
       std::move(progress));
-  return Map(SomModel{std::move(som), {}, {}, {}, {}, rows.means()});
+  Map map(SomModel{std::move(som), {}, {}, {}, {}, rows.means()});
+  map.steps_ = steps;
+  const bool counts = parameters.is_length_automatic() && parameters.training == Training::kOnline;
+  if (counts) map.model_.samples_seen = steps;
+  return map;
 }
 
 Map Map::initial(const nb::dict& values, const SampleRows& rows) {
@@ -134,6 +142,7 @@ Map Map::learned(const SampleRows& rows, std::size_t threads) const {
       learner.learn(inputs, steps);
     });
   });
+  if (may_diverge(changed.som.parameters())) value_or_throw(check_bounded(changed.som));
   return Map(std::move(changed));
 }
 
@@ -308,6 +317,7 @@ void bind_map(nb::module_& module) {
       .def("cells", &Map::cells)
       .def_prop_ro("parameters",
                    [](const Map& map) { return dict_of(map.model().som.parameters()); })
+      .def_prop_ro("steps", &Map::steps)
       .def_prop_ro("samples_seen", [](const Map& map) { return map.model().seen(); })
       .def("offsets", &Map::offsets)
       .def("deviations", &Map::deviations)

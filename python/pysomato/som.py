@@ -56,6 +56,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         quantization_error_: Mean distance of a training sample from its winner, after ``fit``.
         topographic_error_: Share of training samples whose two best neurons share no edge, after
             ``fit``.
+        steps_: Number of iterations, or epochs in batch training, that ``fit`` has made: with a
+            ``tolerance`` more than ``iterations`` or ``epochs``.
         classes_: The labels in the order of first appearance, if ``fit`` had labels.
         samples_seen_: Samples that online training has learned, in all calls since the map began;
             model files and pickles contain it.
@@ -63,7 +65,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     def __init__(self, rows=None, columns=None, *, lattice="rectangular", topology="plane",
                  similarity="euclidean", normalize_input=None, initial_weights="range",
-                 training="online", iterations=None, epochs=20, draws="with_replacement",
+                 training="online", iterations=None, epochs=20, tolerance=0.0, patience=3,
+                 most_checks=100, draws="with_replacement",
                  neighbourhood="gaussian", radius_schedule="linear", radius_start=None,
                  radius_end=None, radius_reached_at=None, learning_rate_schedule="linear",
                  learning_rate_start=0.3, learning_rate_end=0.02, learning_rate_reached_at=None,
@@ -80,6 +83,9 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         self.training = training
         self.iterations = iterations
         self.epochs = epochs
+        self.tolerance = tolerance
+        self.patience = patience
+        self.most_checks = most_checks
         self.draws = draws
         self.neighbourhood = neighbourhood
         self.radius_schedule = radius_schedule
@@ -123,6 +129,7 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
         with shown(type(self).__name__, bool(self.verbose)) as show:
             trained = _somato.Map.train(self._map_parameters(), X, self._threads(), show)
         self._forget()
+        self.steps_ = trained.steps
         found = trained.quality(X, self._threads())
         self.quantization_error_, self.topographic_error_, self.hits_, self.winners_ = found
         if labels is not None and labels.known.any():
@@ -380,8 +387,8 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
 
     def _forget(self):
         """Removes what describes the samples of an earlier training."""
-        for name in ("quantization_error_", "topographic_error_", "hits_", "winners_", "classes_",
-                     "_classes_of_samples"):
+        for name in ("steps_", "quantization_error_", "topographic_error_", "hits_", "winners_",
+                     "classes_", "_classes_of_samples"):
             self.__dict__.pop(name, None)
 
     def _take(self, trained):

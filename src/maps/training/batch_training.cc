@@ -2,6 +2,7 @@
 #include "base/core/lanes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "base/core/threads.h"
@@ -27,8 +28,39 @@ BatchEpoch::BatchEpoch(Som& som, const SumScales& scales, std::size_t threads)
   weights_to_change(som);  // before threads read them
 }
 
+// A distance is at most the sum of two lengths.
+void BatchEpoch::measure(double longest) {
+  double longest_weights = 0.0;
+  for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
+    double square = 0.0;
+    for (std::size_t d = 0; d < som_.elements().count(); ++d) {
+      const double weight = som_.weights()(neuron, d);
+      square += weight * weight;
+    }
+    longest_weights = std::max(longest_weights, std::sqrt(square));
+  }
+  distance_scale_ = scales_.scale_for(longest + longest_weights);
+}
+
+void BatchEpoch::add_distances(const Samples& samples, const std::vector<std::size_t>& winners) {
+  std::vector<std::int64_t> integers(samples.count());
+  for_each_range(samples.count(), threads_, [&](std::size_t begin, std::size_t end) {
+    SomWorkspace workspace;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double distance = som_.distance(samples[i], winners[i], workspace);
+      integers[i] = static_cast<std::int64_t>(distance * distance_scale_);
+    }
+  });
+  for (const std::int64_t integer : integers) distances_ += integer;
+}
+
+double BatchEpoch::mean_distance(std::size_t samples) const {
+  return static_cast<double>(distances_) / distance_scale_ / static_cast<double>(samples);
+}
+
 std::vector<std::size_t> BatchEpoch::add(const Samples& seen) {
   std::vector<std::size_t> winners = winners_of_seen(som_, seen, threads_);
+  if (distance_scale_ != 0.0) add_distances(seen, winners);
   for (const std::size_t winner : winners) ++sums_(som_.elements().count(), winner);
   if (seen.is_sparse()) {
     for (std::size_t i = 0; i < seen.count(); ++i) {
@@ -68,6 +100,7 @@ void BatchEpoch::add_block(const Samples& samples, const std::vector<std::size_t
 
 void BatchEpoch::combine(ProcessGroup& processes) {
   processes.sum({sums_.data(), sums_.padded_rows() * sums_.columns()});
+  processes.sum({&distances_, 1});
 }
 
 // The sums over each neuron's neighbourhood, eight elements at a time.

@@ -23,6 +23,13 @@ class BatchEpoch {
   /// `scales` are those of all samples of the epoch as the map sees them.
   BatchEpoch(Som& som, const SumScales& scales, std::size_t threads);
 
+  /// Makes add() measure the distances of samples, of which the longest has this length, from their
+  /// winners. To be called before it.
+  void measure(double longest);
+
+  /// The mean of these distances of `samples` samples: the same bits for every order of samples.
+  double mean_distance(std::size_t samples) const;
+
   /// Finds the winners of samples as the map sees them (seen_samples()), which have non-zeros only
   /// where the map has weights (see Som::store_all()), and takes them into the means. Returns the
   /// winners.
@@ -39,6 +46,7 @@ class BatchEpoch {
 
   void add_block(const Samples& samples, const std::vector<std::size_t>& winners,
                  std::size_t block);
+  void add_distances(const Samples& samples, const std::vector<std::size_t>& winners);
   void move_block(std::size_t block, std::span<const double> sums, std::span<const double> totals);
 
   Som& som_;
@@ -46,6 +54,9 @@ class BatchEpoch {
   const SumScales& scales_;
   // Elements and a last row of counts by winner: the sums of its samples.
   LaneMatrix<std::int64_t> sums_;
+  // The sum of distances times a power of 2; without measurement the power is 0.
+  double distance_scale_ = 0.0;
+  std::int64_t distances_ = 0;
 };
 
 /// A whole epoch on `samples`. The map gets weights for all elements when the samples have one that

@@ -18,7 +18,8 @@ struct Variant {
   NeighbourhoodShape neighbourhood;
 };
 
-/// All sixteen kinds.
+/// All kinds whose neighbourhood is never negative, so that an update never moves a weight away
+/// from the sample; a Mexican hat's is.
 inline std::vector<Variant> all_variants() {
   std::vector<Variant> variants;
   for (const Lattice lattice : {Lattice::kRectangular, Lattice::kHexagonal}) {
@@ -31,6 +32,16 @@ inline std::vector<Variant> all_variants() {
     }
   }
   return variants;
+}
+
+/// The neighbourhoods that are never negative, so that an update never moves a weight away from the
+/// sample.
+inline std::vector<NeighbourhoodShape> shapes_that_attract() {
+  std::vector<NeighbourhoodShape> shapes;
+  for (const auto& [shape, name] : Choices<NeighbourhoodShape>::all()) {
+    if (shape != NeighbourhoodShape::kMexicanHat) shapes.push_back(shape);
+  }
+  return shapes;
 }
 
 inline std::string name_of(const Variant& variant) {
