@@ -153,13 +153,16 @@ class SOM(ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
             y: Ignored: neurons are named by ``fit``.
 
         Raises:
-            UsageError: ``training`` is ``batch``, or as for ``fit``.
+            UsageError: ``training`` is ``batch``, a new map has a ``tolerance``, or as for ``fit``.
             DataError: As for ``fit``; columns are compared with those of all calls.
         """
         begins = not hasattr(self, "map_")
         if self.training != "online":
             raise UsageError("partial_fit learns one sample after the other", "SOM(training)",
                              'use training="online", or fit')
+        if begins and self.tolerance:
+            raise UsageError("partial_fit learns each sample once, whatever the error is",
+                             "SOM(tolerance)", "use tolerance=0, or fit")
         X = self._rows(X, reset=begins, further=True)
         X = X.filled() if begins else X
         before = _somato.Map.initial(self._map_parameters(), X) if begins else self.map_

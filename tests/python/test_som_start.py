@@ -48,7 +48,7 @@ def initial(rows, columns, **parameters):
     return SOM(rows, columns, initial_weights="linear", training="batch", epochs=0, **parameters)
 
 
-@pytest.mark.parametrize("samples, columns", [(500, 6), (300, 100), (40, 41), (30, 300), (2, 5)])
+@pytest.mark.parametrize("samples, columns", [(200, 6), (120, 70), (40, 41), (30, 90), (2, 5)])
 @pytest.mark.parametrize("grid", [(7, 4), (4, 7), (5, 5), (1, 6), (6, 1)])
 def test_linear_weights_are_the_plane_of_a_singular_value_decomposition(samples, columns, grid):
     X = correlated(samples, columns)
@@ -166,6 +166,11 @@ def test_steps_of_a_fixed_length_are_those_of_the_parameters():
 def test_patience_without_tolerance_has_no_effect():
     with pytest.raises(UsageError, match="tolerance is 0"):
         SOM(patience=5).fit(correlated(10, 2))
+
+
+def test_partial_fit_begins_no_map_of_automatic_length():
+    with pytest.raises(UsageError, match="each sample once"):
+        SOM(tolerance=0.1).partial_fit(correlated(10, 2))
 
 
 def test_the_program_prints_the_number_of_steps(somato, tmp_path):

@@ -37,14 +37,23 @@ std::vector<double> centres_of(std::span<const float> low, std::span<const float
   return centres;
 }
 
-// Adds the products of columns i <= j of the first `rows` rows, one row after the other.
+// Adds the products of columns i <= j of the first `rows` rows, one row after the other; of four
+// rows in one pass over the sums.
 void add_row_of_products(const Matrix<double>& strip, std::size_t rows, std::size_t i,
                          std::span<double> sums) {
-  for (std::size_t s = 0; s < rows; ++s) {
-    const double factor = strip(s, i);
-    if (factor == 0.0) continue;
-    const double* values = strip.row(s).data();
-    for (std::size_t j = i; j < sums.size(); ++j) sums[j] += factor * values[j];
+  std::size_t s = 0;
+  for (; s + 4 <= rows; s += 4) {
+    const double* const a = strip.row(s).data();
+    const double* const b = strip.row(s + 1).data();
+    const double* const c = strip.row(s + 2).data();
+    const double* const d = strip.row(s + 3).data();
+    for (std::size_t j = i; j < sums.size(); ++j) {
+      sums[j] = (((sums[j] + a[i] * a[j]) + b[i] * b[j]) + c[i] * c[j]) + d[i] * d[j];
+    }
+  }
+  for (; s < rows; ++s) {
+    const double* const a = strip.row(s).data();
+    for (std::size_t j = i; j < sums.size(); ++j) sums[j] += a[i] * a[j];
   }
 }
 

@@ -107,8 +107,8 @@ Result<void> check_bounded(const Som& som) {
       "the weights grow without limit, because neurons beyond the radius are pushed away "
       "from samples more than others are drawn to them",
       "neighbourhood = \"mexican_hat\"",
-      "choose a lower learning rate, fewer iterations, the dot_product similarity, or another "
-      "neighbourhood");
+      "use similarity = \"dot_product\", whose weights have length 1, a lower learning rate, "
+      "fewer iterations, or another neighbourhood");
 }
 
 Result<PreparedTraining> prepare_training(const SomParameters& parameters, const Samples& samples,

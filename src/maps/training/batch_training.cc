@@ -28,7 +28,8 @@ BatchEpoch::BatchEpoch(Som& som, const SumScales& scales, std::size_t threads)
   weights_to_change(som);  // before threads read them
 }
 
-// A distance is at most the sum of two lengths.
+// A Euclidean distance is at most the sum of two lengths, and no other exceeds it by more than the
+// root of the number of elements.
 void BatchEpoch::measure(double longest) {
   double longest_weights = 0.0;
   for (std::size_t neuron = 0; neuron < som_.neurons(); ++neuron) {
@@ -39,7 +40,8 @@ void BatchEpoch::measure(double longest) {
     }
     longest_weights = std::max(longest_weights, std::sqrt(square));
   }
-  distance_scale_ = scales_.scale_for(longest + longest_weights);
+  distance_scale_ = scales_.scale_for((longest + longest_weights) *
+                                      std::sqrt(static_cast<double>(som_.elements().count())));
 }
 
 void BatchEpoch::add_distances(const Samples& samples, const std::vector<std::size_t>& winners) {
