@@ -80,8 +80,8 @@ Result<Som> train_som(const SomParameters& parameters, const Matrix<float>& samp
 
 /// The same for samples that need not fit into memory, in batch training: the same bits as from
 /// dense Samples, regardless of the division into parts. They are read once before training, once
-/// more if initial weights are samples or linear, and once per epoch. Linear initial weights of fewer
-/// samples than elements read all samples into memory.
+/// more if initial weights are samples or linear, and once per epoch. Linear initial weights of
+/// fewer samples than elements read all samples into memory.
 ///
 /// Also fails if the source does, with kUsage for online training, which draws from all samples at
 /// any time, and as save_whole() and read_whole() do for the checkpoint; kUsage if that is of
