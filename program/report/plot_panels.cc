@@ -8,7 +8,7 @@
 
 #include "base/core/threads.h"
 #include "base/text/text.h"
-#include "maps/reading/principal_plane.h"
+#include "maps/reading/weight_plane.h"
 #include "som/data.h"
 #include "som/stoppable_rows.h"
 #include "somato/core/parameter.h"
@@ -144,7 +144,7 @@ struct ReadRows {
   std::vector<Position> positions;  // only for a plane
 };
 
-Result<ReadRows> read(const MapAndRows& both, const PrincipalPlane* plane) {
+Result<ReadRows> read(const MapAndRows& both, const WeightPlane* plane) {
   const Som& som = both.model.som;
   const Progress progress = both.rows.in_memory() ? Progress() : terminal_progress("measuring");
   PreparedRows prepared(both.model, both.rows);
@@ -284,7 +284,7 @@ class PanelMaker {
   bool has_data_;
   const PlotChoice& choice_;
   const Som& som_;
-  std::optional<PrincipalPlane> plane_;
+  std::optional<WeightPlane> plane_;
   ReadRows rows_;
   Clusters clusters_;
   std::vector<Panel> panels_;

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -137,8 +139,10 @@ Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses
   return request;
 }
 
-Result<Som> train_map(const TrainingRequest& request, const SomModel& model, const RowData& rows) {
-  const TrainingOptions& options = request.options;
+Result<Som> train_map(const TrainingRequest& request, const SomModel& model, const RowData& rows,
+                      std::uint64_t& steps) {
+  TrainingOptions options = request.options;
+  options.steps_done = &steps;
   if (!rows.in_memory()) {
     PreparedRows prepared(model, rows);
     return train_som(request.parameters, prepared.samples(), options);
@@ -161,14 +165,27 @@ Result<void> save_trained(const Arguments& arguments, const SomModel& model,
   return {};
 }
 
+// How long training of automatic length has taken.
+std::string steps_text(const SomParameters& parameters, std::uint64_t steps) {
+  if (!parameters.is_length_automatic()) return {};
+  const bool batch = parameters.training == Training::kBatch;
+  return fmt::format("{} {}\n", batch ? "epochs" : "iterations", steps);
+}
+
+// Online training of automatic length has seen more samples than `iterations`.
+void add_steps(SomModel& model, std::uint64_t steps) {
+  const SomParameters& p = model.som.parameters();
+  if (p.is_length_automatic() && p.training == Training::kOnline) model.samples_seen = steps;
+}
+
 void print_trained(const std::string& path, const Som& som, const RowData& rows,
-                   const SomQuality& quality) {
+                   const SomQuality& quality, std::uint64_t steps) {
   const std::string size = fmt::format(
       "{}: {} x {} neurons trained on {} of {}\n", path, som.grid().rows(), som.grid().columns(),
       counted(rows.count, "sample"), counted(rows.size(), "feature"));
   const std::string errors = fmt::format("quantization_error {:.6g}\ntopographic_error {:.6g}\n",
                                          quality.quantization_error, quality.topographic_error);
-  print_summary(size + columns_and_filled(rows) + errors);
+  print_summary(size + columns_and_filled(rows) + steps_text(som.parameters(), steps) + errors);
 }
 
 // A model without its map, ready to train it on the rows.
@@ -221,13 +238,15 @@ Result<void> train_with(const Arguments& arguments, JoinedProcesses* processes) 
   std::vector<double> offsets;
   SOMATO_TRY(auto rows, read_training_rows(arguments, processes, offsets));
   SOMATO_TRY(auto model, agreed(start_on(arguments, request.parameters, rows), processes));
-  SOMATO_TRY(auto som, train_map(request, model, rows));
+  std::uint64_t steps = 0;
+  SOMATO_TRY(auto som, train_map(request, model, rows, steps));
   model.som = std::move(som);
+  add_steps(model, steps);
   SOMATO_TRY(const auto quality, measure_rows(model, rows, request.options.threads, processes));
   add_labels(model, rows.classes, quality.winners);
   add_offsets(model, offsets);
   SOMATO_TRY_VOID(agreed(save_trained(arguments, model, request.options), processes));
-  print_trained(arguments.text("output"), model.som, rows, quality);
+  print_trained(arguments.text("output"), model.som, rows, quality, steps);
   return {};
 }
 

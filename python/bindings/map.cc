@@ -12,9 +12,10 @@
 #include "errors.h"
 #include "interrupts.h"
 #include "maps/pictures/cells.h"
-#include "maps/reading/principal_plane.h"
+#include "maps/reading/weight_plane.h"
 #include "maps/reading/sample_reader.h"
 #include "maps/som/sample_range.h"
+#include "maps/som/som_preparation.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
@@ -127,17 +128,23 @@ Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threa
                nb::object progress) {
   const SomParameters parameters = checked_parameters(values);
   Som som;
+  std::uint64_t steps = 0;
   unlocked(
       [&](Interrupts& interrupts) {
         const Samples samples = rows.all();
-        const TrainingOptions options{threads, interrupts.progress()};
+        TrainingOptions options{threads, interrupts.progress()};
+        options.steps_done = &steps;
         auto trained = rows.leaves_out() ? train_leaving_out(parameters, samples, options)
                                          : train_som(parameters, samples, options);
         if (!trained && trained.error().kind == ErrorKind::kInterrupted) return;
         som = apart_from_samples(value_or_throw(std::move(trained)));
       },
       std::move(progress));
-  return Map(SomModel{std::move(som), {}, {}, {}, {}, rows.means()});
+  Map map(SomModel{std::move(som), {}, {}, {}, {}, rows.means()});
+  map.steps_ = steps;
+  const bool counts = parameters.is_length_automatic() && parameters.training == Training::kOnline;
+  if (counts) map.model_.samples_seen = steps;
+  return map;
 }
 
 Map Map::initial(const nb::dict& values, const SampleRows& rows) {
@@ -182,6 +189,7 @@ Map Map::learned(const SampleRows& rows, std::size_t threads) const {
       learner.learn(inputs, steps);
     });
   });
+  if (may_diverge(changed.som.parameters())) value_or_throw(check_bounded(changed.som));
   return Map(std::move(changed));
 }
 
@@ -270,7 +278,7 @@ nb::object Map::positions(const SampleRows& rows) const {
   std::vector<double> coordinates;
   coordinates.reserve(2 * rows.count());
   unlocked([&](Interrupts& interrupts) {
-    const PrincipalPlane plane(model_.som);
+    const WeightPlane plane(model_.som);
     for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t /*first*/) {
       for (const Position& at : plane.positions_of(model_.som, part)) {
         coordinates.insert(coordinates.end(), {at.x, at.y});
@@ -405,6 +413,7 @@ void bind_map(nb::module_& module) {
       .def("cells", &Map::cells)
       .def_prop_ro("parameters",
                    [](const Map& map) { return dict_of(map.model().som.parameters()); })
+      .def_prop_ro("steps", &Map::steps)
       .def_prop_ro("samples_seen", [](const Map& map) { return map.model().seen(); })
       .def("offsets", &Map::offsets)
       .def("deviations", &Map::deviations)

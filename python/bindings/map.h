@@ -87,6 +87,9 @@ class Map {
 
   const SomModel& model() const { return model_; }
 
+  /// The iterations or epochs that train() has made; 0 for other maps.
+  std::uint64_t steps() const { return steps_; }
+
  private:
   void check_rows(const SampleRows& rows) const;
 
@@ -98,6 +101,7 @@ class Map {
   const SomModel& taking(const SampleRows& rows) const;
 
   SomModel model_;
+  std::uint64_t steps_ = 0;
   std::optional<SomModel> moved_;           // the same without offsets, if it has offsets
   mutable std::vector<double> deviations_;  // once they have been used
 };

@@ -12,7 +12,7 @@
 #include "maps/pictures/expanded_grid.h"
 #include "maps/pictures/map_panels.h"
 #include "maps/pictures/outlines.h"
-#include "maps/reading/principal_plane.h"
+#include "maps/reading/weight_plane.h"
 #include "views/skins/skin_picture.h"
 #include "views/skins/weights_picture.h"
 #include "nanobind/stl/optional.h"
@@ -95,7 +95,7 @@ class MapPicture {
     for (std::size_t i = 0; i < positions.shape(0); ++i) {
       samples.push_back({positions(i, 0), positions(i, 1)});
     }
-    panels_.emplace_back(projection_panel(model_.som, PrincipalPlane(model_.som), samples,
+    panels_.emplace_back(projection_panel(model_.som, WeightPlane(model_.som), samples,
                                           Classes{names, sizes(classes)}));
   }
 
@@ -182,7 +182,7 @@ nb::object outlines_of(const Map& map, const Numbers<std::int64_t>& clusters) {
 /// variance, and the pairs of neighbours.
 nb::tuple projection(const Map& map) {
   const Som& som = map.model().som;
-  const PrincipalPlane plane(som);
+  const WeightPlane plane(som);
   std::vector<double> coordinates;
   std::vector<std::int64_t> pairs;
   for (std::size_t i = 0; i < som.neurons(); ++i) {

@@ -60,6 +60,8 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         quantization_error_: Mean distance of a training sample from its winner, after ``fit``.
         topographic_error_: Share of training samples whose two best neurons share no edge, after
             ``fit``.
+        steps_: Number of iterations, or epochs in batch training, that ``fit`` has made: with a
+            ``tolerance`` more than ``iterations`` or ``epochs``.
         classes_: The labels in the order of first appearance, if ``fit`` had labels.
         samples_seen_: Samples that online training has learned, in all calls since the map began;
             model files and pickles contain it.
@@ -67,7 +69,8 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
 
     def __init__(self, rows=None, columns=None, *, lattice="rectangular", topology="plane",
                  similarity="euclidean", normalize_input=None, initial_weights="range",
-                 training="online", iterations=None, epochs=20, draws="with_replacement",
+                 training="online", iterations=None, epochs=20, tolerance=0.0, patience=3,
+                 most_checks=100, draws="with_replacement",
                  neighbourhood="gaussian", radius_schedule="linear", radius_start=None,
                  radius_end=None, radius_reached_at=None, learning_rate_schedule="linear",
                  learning_rate_start=0.3, learning_rate_end=0.02, learning_rate_reached_at=None,
@@ -84,6 +87,9 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         self.training = training
         self.iterations = iterations
         self.epochs = epochs
+        self.tolerance = tolerance
+        self.patience = patience
+        self.most_checks = most_checks
         self.draws = draws
         self.neighbourhood = neighbourhood
         self.radius_schedule = radius_schedule
@@ -127,6 +133,7 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         with shown(type(self).__name__, bool(self.verbose)) as show:
             trained = _somato.Map.train(self._map_parameters(), X, self._threads(), show)
         self._forget()
+        self.steps_ = trained.steps
         found = trained.quality(X, self._threads())
         self.quantization_error_, self.topographic_error_, self.hits_, self.winners_ = found
         if labels is not None and labels.known.any():
@@ -150,13 +157,16 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
             y: Ignored: neurons are named by ``fit``.
 
         Raises:
-            UsageError: ``training`` is ``batch``, or as for ``fit``.
+            UsageError: ``training`` is ``batch``, a new map has a ``tolerance``, or as for ``fit``.
             DataError: As for ``fit``; columns are compared with those of all calls.
         """
         begins = not hasattr(self, "map_")
         if self.training != "online":
             raise UsageError("partial_fit learns one sample after the other", "SOM(training)",
                              'use training="online", or fit')
+        if begins and self.tolerance:
+            raise UsageError("partial_fit learns each sample once, whatever the error is",
+                             "SOM(tolerance)", "use tolerance=0, or fit")
         X = self._rows(X, reset=begins, further=True)
         X = X.filled() if begins else X
         before = _somato.Map.initial(self._map_parameters(), X) if begins else self.map_
@@ -561,8 +571,8 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
 
     def _forget(self):
         """Removes what describes the samples of an earlier training."""
-        for name in ("quantization_error_", "topographic_error_", "hits_", "winners_", "classes_",
-                     "_classes_of_samples"):
+        for name in ("steps_", "quantization_error_", "topographic_error_", "hits_", "winners_",
+                     "classes_", "_classes_of_samples"):
             self.__dict__.pop(name, None)
 
     def _take(self, trained):

@@ -14,10 +14,16 @@
 
 namespace somato {
 
-/// The neighbourhood function, which determines how much the neurons around a winner learn.
+/// The neighbourhood function, which determines how much the neurons around a winner learn. It is 1
+/// at the winner, and with radius 0 it is 0 elsewhere.
 enum class NeighbourhoodShape {
-  kGaussian,  ///< exp(-d^2 / (2 radius^2)) at distance d.
-  kBubble,    ///< 1 up to the radius, 0 beyond.
+  kGaussian,      ///< exp(-d^2 / (2 radius^2)) at distance d.
+  kBubble,        ///< 1 up to the radius, 0 beyond.
+  kCutGaussian,   ///< The Gaussian up to the radius, 0 beyond.
+  kTriangular,    ///< max(0, 1 - d / radius).
+  kEpanechnikov,  ///< max(0, 1 - d^2 / radius^2).
+  kMexicanHat,    ///< (1 - d^2 / radius^2) exp(-d^2 / (2 radius^2)), negative beyond the radius;
+                  ///< for online training only.
 };
 
 /// Criterion for the winner.
@@ -51,6 +57,7 @@ enum class InitialWeights {
   kUniform,  ///< Uniform in [0, 1).
   kRange,    ///< Uniform between the minimum and the maximum of each feature in the samples.
   kSamples,  ///< Randomly drawn samples, without repeats if there are enough.
+  kLinear,   ///< On the plane of the samples' two largest principal components (Kohonen 2001).
 };
 
 /// Method of computation in training; the trained map is the same up to rounding.
@@ -131,6 +138,9 @@ struct SomParameters {
   Training training = Training::kOnline;
   std::optional<std::uint64_t> iterations;
   std::uint64_t epochs = 20;
+  double tolerance = 0.0;
+  std::uint64_t patience = 3;
+  std::uint64_t most_checks = 100;
   Draws draws = Draws::kWithReplacement;
   NeighbourhoodShape neighbourhood = NeighbourhoodShape::kGaussian;
   ScheduleShape radius_schedule = ScheduleShape::kLinear;
@@ -161,6 +171,9 @@ struct SomParameters {
 
   /// The number of iterations or epochs, depending on the training method; only after resolve().
   std::uint64_t steps() const { return training == Training::kBatch ? epochs : *iterations; }
+
+  /// Whether training continues after steps() until the quantization error no longer improves.
+  bool is_length_automatic() const { return tolerance > 0.0; }
 
   /// The schedules; only after resolve().
   Schedule radius() const {

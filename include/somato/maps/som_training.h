@@ -27,14 +27,17 @@ struct TrainingMoment {
   std::function<Som()> map;    ///< Returns the current map; training continues with the same bits.
 };
 
-/// Receives about a hundred snapshots, evenly distributed, the last one after the last step; if it
-/// returns false, training ends with an Error of kind kInterrupted.
+/// Receives about a hundred snapshots, evenly distributed, and one after each check of the error in
+/// training of automatic length; the last one after the last step. If it returns false, training
+/// ends with an Error of kind kInterrupted.
 using TrainingObserver = std::function<bool(const TrainingMoment&)>;
 
 /// Options of training.
 struct TrainingOptions {
   std::size_t threads = 1;  ///< Does not affect the map.
-  Progress progress = {};   ///< In iterations, or epochs, or parts of samples in all epochs.
+  Progress progress = {};   ///< In iterations, or epochs, or parts of samples in all epochs. If the
+                            ///< length is automatic (SomParameters::tolerance), the total is that
+                            ///< without further improvement, and grows with each improvement.
   TrainingObserver observer = {};
 
   /// The numbers of the training samples, in this order; empty: all. The other samples do not
@@ -62,6 +65,10 @@ struct TrainingOptions {
   /// same bits as from all samples in one process. Every process returns the same map, or the same
   /// error. nullptr: only this one.
   ProcessGroup* processes = nullptr;
+
+  /// Set to the number of completed iterations or epochs, with those before a checkpoint, when
+  /// training ends; or nullptr.
+  std::uint64_t* steps_done = nullptr;
 };
 
 /// Trains a map on `samples`. If they are sparse and use fewer than half of the elements, and
@@ -81,7 +88,8 @@ Result<Som> train_som(const SomParameters& parameters, const Matrix<float>& samp
 
 /// The same for samples that need not fit into memory, in batch training: the same bits as from
 /// dense Samples, regardless of the division into parts. They are read once before training, once
-/// more if initial weights are samples, and once per epoch.
+/// more if initial weights are samples or linear, and once per epoch. Linear initial weights of
+/// fewer samples than elements read all samples into memory.
 ///
 /// Also fails if the source does, with kUsage for online training, which draws from all samples at
 /// any time, and as save_whole() and read_whole() do for the checkpoint; kUsage if that is of

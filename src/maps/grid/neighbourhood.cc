@@ -1,5 +1,7 @@
 #include "maps/grid/neighbourhood.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/core/elementary.h"
@@ -9,8 +11,8 @@
 namespace somato {
 namespace {
 
-// A neuron at exactly the radius belongs to the bubble, regardless of the rounding of sqrt(3)/2.
-constexpr double kBubbleTolerance = 1e-9;
+// A neuron at exactly the radius is within it, regardless of the rounding of sqrt(3)/2.
+constexpr double kRadiusTolerance = 1e-9;
 
 // Smaller factors become 0: they are too small to move a weight, and numbers near the end of a
 // type's range (denormal ones) slow the arithmetic down. In double precision, where factors may
@@ -24,6 +26,34 @@ double exponent(double difference, double radius) {
   if (radius == 0.0) return -std::numeric_limits<double>::infinity();
   const double ratio = difference / radius;
   return -0.5 * ratio * ratio;
+}
+
+// The square of distance / radius, so that 1 is the radius; radius 0 is only reached by distance 0.
+double relative_square(double squared_distance, double radius) {
+  if (squared_distance == 0.0) return 0.0;
+  const double limit = radius * radius;
+  if (limit == 0.0) return std::numeric_limits<double>::infinity();
+  const double square = squared_distance / limit;
+  return std::fabs(square - 1.0) <= kRadiusTolerance ? 1.0 : square;
+}
+
+// The function of the square of distance / radius, for the shapes that are neither a product of
+// rows and columns nor constant.
+double factor_of(NeighbourhoodShape shape, double square) {
+  if (square == 0.0) return 1.0;
+  if (shape == NeighbourhoodShape::kMexicanHat) {
+    const double factor = exponential(-0.5 * square);
+    return factor == 0.0 ? 0.0 : (1.0 - square) * factor;
+  }
+  if (square > 1.0) return 0.0;
+  if (shape == NeighbourhoodShape::kTriangular) return 1.0 - std::sqrt(square);
+  if (shape == NeighbourhoodShape::kEpanechnikov) return 1.0 - square;
+  return exponential(-0.5 * square);
+}
+
+template <typename Real>
+Real without_smallest(double factor) {
+  return std::fabs(factor) < kSmallestFactor<Real> ? Real{0} : static_cast<Real>(factor);
 }
 
 }  // namespace
@@ -85,21 +115,30 @@ template <typename Real>
 void Neighbourhood::write_around(std::size_t winner, double radius, std::span<Real> out) {
   require(out.size() >= grid_.size(), "the neighbourhood needs space for one value per neuron");
   if (shape_ == NeighbourhoodShape::kBubble) {
-    const double limit = radius * radius * (1.0 + kBubbleTolerance);
+    const double limit = radius * radius * (1.0 + kRadiusTolerance);
     for (std::size_t neuron = 0; neuron < grid_.size(); ++neuron) {
       out[neuron] = grid_.squared_distance(winner, neuron) <= limit ? Real{1} : Real{0};
     }
     return;
   }
+  if (shape_ != NeighbourhoodShape::kGaussian) return write_by_distance(winner, radius, out);
   prepare_factors(winner, radius);
   for (std::size_t row = 0; row < grid_.rows(); ++row) {
     const std::size_t parity = grid_.lattice() == Lattice::kHexagonal ? row % 2 : 0;
     const double* factors = column_factors_.data() + parity * grid_.columns();
     for (std::size_t column = 0; column < grid_.columns(); ++column) {
-      const double factor = row_factors_[row] * factors[column];
       out[row * grid_.columns() + column] =
-          factor < kSmallestFactor<Real> ? Real{0} : static_cast<Real>(factor);
+          without_smallest<Real>(row_factors_[row] * factors[column]);
     }
+  }
+}
+
+template <typename Real>
+void Neighbourhood::write_by_distance(std::size_t winner, double radius,
+                                      std::span<Real> out) const {
+  for (std::size_t neuron = 0; neuron < grid_.size(); ++neuron) {
+    const double square = relative_square(grid_.squared_distance(winner, neuron), radius);
+    out[neuron] = without_smallest<Real>(factor_of(shape_, square));
   }
 }
 

@@ -26,6 +26,8 @@ class Neighbourhood {
  private:
   template <typename Real>
   void write_around(std::size_t winner, double radius, std::span<Real> out);
+  template <typename Real>
+  void write_by_distance(std::size_t winner, double radius, std::span<Real> out) const;
   void prepare_factors(std::size_t winner, double radius);
 
   Grid grid_;

@@ -40,24 +40,39 @@ void NeighbourhoodMixing::prepare_separable(double radius) {
   }
 }
 
+// Rows of the same distance, beginning at a row of the same parity, have the same factors. Pairs
+// that begin at the first and at the last row of a parity have all distances.
 void NeighbourhoodMixing::prepare_by_rows(NeighbourhoodShape shape, double radius) {
-  const std::size_t columns = grid_.columns();
   const std::size_t rows = grid_.rows();
   Neighbourhood neighbourhood(grid_, shape);
+  blocks_.resize(parities_ * rows);
+  for (std::size_t parity = 0; parity < std::min(parities_, rows); ++parity) {
+    prepare_blocks_from(parity, neighbourhood, radius);
+    prepare_blocks_from(rows - 1 - (rows - 1 - parity) % parities_, neighbourhood, radius);
+  }
+}
+
+void NeighbourhoodMixing::prepare_blocks_from(std::size_t row, Neighbourhood& neighbourhood,
+                                              double radius) {
+  const std::size_t columns = grid_.columns();
   std::vector<double> around(grid_.size());
-  blocks_.resize(rows * rows);
-  for (std::size_t neuron = 0; neuron < grid_.size(); ++neuron) {
-    neighbourhood.around(neuron, radius, around);
-    for (std::size_t other = 0; other < rows; ++other) {
+  for (std::size_t column = 0; column < columns; ++column) {
+    neighbourhood.around(row * columns + column, radius, around);
+    for (std::size_t other = 0; other < grid_.rows(); ++other) {
       const auto factors = std::span(around).subspan(other * columns, columns);
       const bool any = std::any_of(factors.begin(), factors.end(), [](double f) { return f != 0; });
-      AlignedVector<double>& block = blocks_[grid_.row_of(neuron) * rows + other];
+      AlignedVector<double>& block = blocks_[block_of(row, other)];
       if (!any && block.empty()) continue;
       block.resize(columns * columns);
       std::copy(factors.begin(), factors.end(),
-                block.begin() + static_cast<std::ptrdiff_t>(grid_.column_of(neuron) * columns));
+                block.begin() + static_cast<std::ptrdiff_t>(column * columns));
     }
   }
+}
+
+std::size_t NeighbourhoodMixing::block_of(std::size_t row, std::size_t other) const {
+  const std::size_t distance = row > other ? row - other : other - row;
+  return row % parities_ * grid_.rows() + distance;
 }
 
 void NeighbourhoodMixing::apply(std::span<const double> in, std::span<double> out,
@@ -111,7 +126,7 @@ void NeighbourhoodMixing::apply_by_rows(std::span<const double> in, std::span<do
   const std::size_t rows = grid_.rows();
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t other = 0; other < rows; ++other) {
-      const AlignedVector<double>& block = blocks_[row * rows + other];
+      const AlignedVector<double>& block = blocks_[block_of(row, other)];
       if (block.empty()) continue;
       kernels::batch_table().mix(block.data(), in.data() + other * columns * kLanes, columns,
                                  out.data() + row * columns * kLanes, columns);

@@ -16,7 +16,7 @@ namespace somato {
 ///
 /// A Gaussian without cut-off is a product of a factor of the rows' distance and a factor of the
 /// columns', so it takes two passes, each along one side of the grid; on a hexagonal grid the
-/// latter also depends on both rows' parities. A bubble is summed row by row.
+/// latter also depends on both rows' parities. Other shapes are summed row by row.
 class NeighbourhoodMixing {
  public:
   static constexpr std::size_t kLanes = LaneMatrix<double>::kLanes;
@@ -38,6 +38,8 @@ class NeighbourhoodMixing {
   void apply_by_rows(std::span<const double> in, std::span<double> out) const;
   void prepare_separable(double radius);
   void prepare_by_rows(NeighbourhoodShape shape, double radius);
+  void prepare_blocks_from(std::size_t row, Neighbourhood& neighbourhood, double radius);
+  std::size_t block_of(std::size_t row, std::size_t other) const;
 
   Grid grid_;
   bool separable_;
@@ -45,7 +47,8 @@ class NeighbourhoodMixing {
   // Separable: for out and in parity, columns x columns; for each out parity, its rows x rows.
   std::vector<AlignedVector<double>> column_factors_;
   std::vector<AlignedVector<double>> row_factors_;
-  // By rows: for each row and other row, columns x columns, or nothing where all are 0.
+  // By rows: for each parity of a row and distance of another row, columns x columns, or nothing
+  // where all are 0.
   std::vector<AlignedVector<double>> blocks_;
 };
 

@@ -25,7 +25,12 @@ bool inner_products_pay(const SomParameters& parameters, std::size_t samples,
 
 const std::vector<std::pair<NeighbourhoodShape, std::string>>& Choices<NeighbourhoodShape>::all() {
   static const std::vector<std::pair<NeighbourhoodShape, std::string>> choices{
-      {NeighbourhoodShape::kGaussian, "gaussian"}, {NeighbourhoodShape::kBubble, "bubble"}};
+      {NeighbourhoodShape::kGaussian, "gaussian"},
+      {NeighbourhoodShape::kBubble, "bubble"},
+      {NeighbourhoodShape::kCutGaussian, "cut_gaussian"},
+      {NeighbourhoodShape::kTriangular, "triangular"},
+      {NeighbourhoodShape::kEpanechnikov, "epanechnikov"},
+      {NeighbourhoodShape::kMexicanHat, "mexican_hat"}};
   return choices;
 }
 
@@ -56,7 +61,8 @@ const std::vector<std::pair<InitialWeights, std::string>>& Choices<InitialWeight
   static const std::vector<std::pair<InitialWeights, std::string>> choices{
       {InitialWeights::kUniform, "uniform"},
       {InitialWeights::kRange, "range"},
-      {InitialWeights::kSamples, "samples"}};
+      {InitialWeights::kSamples, "samples"},
+      {InitialWeights::kLinear, "linear"}};
   return choices;
 }
 
@@ -105,8 +111,10 @@ const Declarations<SomParameters>& SomParameters::declarations() {
                "Whether every input is scaled to Euclidean length 1; automatic: with dot_product "
                "only. Not given in the paper.")
           .add("initial_weights", &P::initial_weights, "", Range::any(),
-               "Initial weights: uniform in [0, 1), uniform in each feature's range, or random "
-               "samples. Not given in the paper.")
+               "Initial weights: uniform in [0, 1), uniform in each feature's range, random "
+               "samples, "
+               "or linear: on the plane of the two largest principal components, at most one "
+               "standard deviation from the mean along each. Not given in the paper.")
           .add("training", &P::training, "", Range::any(),
                "Online training, with one random sample at a time as in the papers, or batch "
                "training, with all samples in each epoch.")
@@ -115,10 +123,25 @@ const Declarations<SomParameters>& SomParameters::declarations() {
                "more; with an automatic size 100 per neuron, and at least 20,000.")
           .add("epochs", &P::epochs, "passes over all samples", Range::between(0, 1e9),
                "Length of batch training.")
+          .add("tolerance", &P::tolerance, "", Range::between(0, 1),
+               "Training continues after its epochs or iterations, with the final radius and "
+               "learning rate, until checks of the quantization error find no relative improvement "
+               "of more than this; 0: it does not continue, as in the papers.")
+          .add(
+              "patience", &P::patience, "checks", Range::between(1, 1e9),
+              "Number of consecutive checks without such an improvement that end the training: one "
+              "per epoch, in online training one per as many iterations as there are samples.")
+          .add("most_checks", &P::most_checks, "checks", Range::between(1, 1e9),
+               "Number of checks after which training ends in any case.")
           .add("draws", &P::draws, "", Range::any(),
                "How samples are drawn in online training. Not given in the paper.")
           .add("neighbourhood", &P::neighbourhood, "", Range::any(),
-               "Neighbourhood function: decreasing with distance, or constant up to the radius.")
+               "Neighbourhood function of the distance from the winner: a Gaussian, which may be "
+               "cut "
+               "at the radius; constant up to the radius (bubble); 0 at the radius and falling "
+               "towards it as a line (triangular) or a parabola (epanechnikov); or negative beyond "
+               "the radius (mexican_hat), which pushes weights away from the sample, in online "
+               "training only.")
           .add("radius_schedule", &P::radius_schedule, "", Range::any(),
                "Course of the neighbourhood radius from start to end. Not given in the paper.")
           .add("radius_start", &P::radius_start, "neurons", Range::at_least(0),
@@ -186,6 +209,17 @@ void decide_size(SomParameters& parameters, std::size_t samples) {
 
 namespace {
 
+Result<void> check_shape(const SomParameters& parameters) {
+  const bool refused = parameters.neighbourhood == NeighbourhoodShape::kMexicanHat &&
+                       parameters.training == Training::kBatch;
+  if (!refused) return {};
+  return fail(ErrorKind::kUsage,
+              "batch training cannot use the neighbourhood mexican_hat, whose negative factors can "
+              "sum to 0 with the positive ones, so that the weighted mean of the samples does not "
+              "exist",
+              {}, "set 'training' to online, or choose another 'neighbourhood'");
+}
+
 // A single row or column of millions of neurons is a mistake, of which the training could not be
 // stopped soon.
 Result<void> check_given_side(const SomParameters& parameters) {
@@ -216,6 +250,7 @@ Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std
   SOMATO_TRY_VOID(check_arithmetic(parameters));
   decide_size(parameters, samples);
   auto& p = parameters;
+  SOMATO_TRY_VOID(check_shape(p));
   SOMATO_TRY_VOID(Grid::validate(*p.rows, *p.columns, p.lattice, p.topology));
   const auto longer_side = static_cast<double>(std::max(*p.rows, *p.columns));
   p.normalize_input = p.normalize_input.value_or(p.similarity == Similarity::kDotProduct);
@@ -241,6 +276,8 @@ std::string reason_without_effect(const SomParameters& parameters, std::string_v
       name == "iterations" || name == "draws" || name.starts_with("learning_rate");
   if (parameters.training == Training::kBatch && of_online) return "training is batch";
   if (parameters.training == Training::kOnline && name == "epochs") return "training is online";
+  const bool of_checks = name == "patience" || name == "most_checks";
+  if (of_checks && !parameters.is_length_automatic()) return "tolerance is 0";
   const bool of_change = name.ends_with("_end") || name.ends_with("_reached_at");
   const ScheduleShape shape =
       name.starts_with("radius") ? parameters.radius_schedule : parameters.learning_rate_schedule;

@@ -126,7 +126,7 @@ std::vector<Panel> component_panels(const Som& som, const std::vector<std::strin
   return panels;
 }
 
-ProjectionPanel projection_panel(const Som& som, const PrincipalPlane& plane,
+ProjectionPanel projection_panel(const Som& som, const WeightPlane& plane,
                                  const std::vector<Position>& samples, const Classes& classes) {
   require(classes.of_sample.empty() || classes.of_sample.size() == samples.size(),
           "a panel needs a class for each sample");

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "maps/reading/principal_plane.h"
+#include "maps/reading/weight_plane.h"
 #include "somato/core/parameter.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/maps/labels.h"
@@ -55,7 +55,7 @@ constexpr std::size_t kMostProjectedSamples = 4000;
 /// A panel with the grid of a map in the plane of the first two principal components of its weights,
 /// and samples at their positions in it, of which `classes` has the classes unless it is empty. Of
 /// many samples, every second, third or nth one is drawn, as the note says.
-ProjectionPanel projection_panel(const Som& som, const PrincipalPlane& plane,
+ProjectionPanel projection_panel(const Som& som, const WeightPlane& plane,
                                  const std::vector<Position>& samples, const Classes& classes);
 
 /// A panel with the name of the class of each neuron.

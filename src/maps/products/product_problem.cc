@@ -46,6 +46,8 @@ Result<std::shared_ptr<const ProductProblem>> ProductProblem::prepare(
     longest = std::max(longest, problem->known_->products()(sample, sample));
   }
   SOMATO_TRY_VOID(check_longest(std::sqrt(longest)));
+  SOMATO_TRY_VOID(
+      check_initial_weights(problem->parameters_, problem->known_->samples().subset(training)));
   problem->training_ = std::move(training);
   problem->elements_ = StoredElements(known.size());
   const bool zero_without = InitialWeightsSource::are_zero_without_samples(problem->parameters_);
@@ -65,7 +67,30 @@ ProductReading ProductProblem::reading(std::size_t sample, std::span<const doubl
 }
 
 bool ProductProblem::starts_at_random() const {
-  return parameters_.initial_weights != InitialWeights::kSamples;
+  return parameters_.initial_weights == InitialWeights::kRange ||
+         parameters_.initial_weights == InitialWeights::kUniform;
+}
+
+// Each weight vector of the plane is a combination of samples, because the mean and the components
+// are.
+Matrix<double> ProductProblem::factors_on_plane(std::size_t threads) const {
+  const Samples samples = known_->samples().subset(training_);
+  std::vector<float> low;
+  std::vector<float> high;
+  widen_ranges(samples, low, high);
+  const PrincipalPlane plane = principal_plane(samples, low, high, threads);
+  const std::vector<double> first = factors_of_component(plane, plane.first, samples);
+  const std::vector<double> second = factors_of_component(plane, plane.second, samples);
+  const Grid grid = parameters_.grid();
+  Matrix<double> factors(training_.size(), padded());
+  for (std::size_t neuron = 0; neuron < grid.size(); ++neuron) {
+    const PlanePlace place = place_on_plane(grid, neuron);
+    for (std::size_t item = 0; item < training_.size(); ++item) {
+      factors(item, neuron) = 1.0 / static_cast<double>(training_.size()) +
+                              place.first * first[item] + place.second * second[item];
+    }
+  }
+  return factors;
 }
 
 std::size_t ProductProblem::padded() const {

@@ -51,8 +51,12 @@ class ProductProblem {
   ProductReading reading(std::size_t sample, std::span<const double> products,
                          std::span<const double> squared_lengths) const;
 
-  /// Whether weights start at random, not at samples.
+  /// Whether weights start at random, not at samples or combinations of them.
   bool starts_at_random() const;
+
+  /// With InitialWeights::kLinear: the factors of the samples to train on whose sums are the
+  /// weights of each neuron; items x padded neurons. `threads` do not affect them.
+  Matrix<double> factors_on_plane(std::size_t threads) const;
 
   /// Neurons, filled up to whole lines of kernels::kRowLanes.
   std::size_t padded() const;

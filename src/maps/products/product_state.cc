@@ -69,7 +69,7 @@ ProductState::ProductState(std::shared_ptr<const ProductProblem> problem, std::s
   if (problem_->starts_at_random()) {
     start_at_random(threads);
   } else {
-    start_at_samples();
+    start_at_combinations(threads);
   }
   if (!dot_product()) return;
   for (std::size_t neuron = 0; neuron < neurons(); ++neuron) scale_to_length_one(neuron);
@@ -93,9 +93,29 @@ void ProductState::start_at_random(std::size_t threads) {
   std::fill_n(of_start_.begin(), neurons(), 1.0);
 }
 
-void ProductState::start_at_samples() {
+void ProductState::start_at_combinations(std::size_t threads) {
   // Zeros for any sample.
   start_ = std::make_shared<const ProductStart>(ProductStart{AlignedVector<double>(padded_), {}});
+  if (problem_->parameters().initial_weights == InitialWeights::kLinear) {
+    start_on_plane(threads);
+  } else {
+    start_at_samples();
+  }
+}
+
+void ProductState::start_on_plane(std::size_t threads) {
+  const Matrix<double> factors = problem_->factors_on_plane(threads);
+  std::copy(factors.values().begin(), factors.values().end(), coefficients_.begin());
+  AlignedVector<double> products(padded_);
+  for (std::size_t item = 0; item < factors.rows(); ++item) {
+    products_with_item(item, products);
+    for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
+      squared_lengths_[neuron] += factors(item, neuron) * products[neuron];
+    }
+  }
+}
+
+void ProductState::start_at_samples() {
   const auto samples = initial_samples(problem_->parameters(), problem_->training().size());
   for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
     coefficients_[samples[neuron] * padded_ + neuron] = 1.0;
@@ -161,6 +181,17 @@ void ProductState::learn_all(double radius) {
   }
   become_means(shares, totals);
   measure_means(totals);
+}
+
+double ProductState::mean_distance() {
+  const std::vector<std::size_t> found = winners();
+  double sum = 0.0;
+  for (std::size_t item = 0; item < found.size(); ++item) {
+    const std::size_t sample = problem_->training()[item];
+    const std::span<const double> products(&all_products_[item * padded_], padded_);
+    sum += distance(problem_->reading(sample, products, squared_lengths_), found[item]);
+  }
+  return sum / static_cast<double>(found.size());
 }
 
 // The winners of all inputs.

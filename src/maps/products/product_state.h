@@ -29,6 +29,9 @@ class ProductState {
   /// their winners.
   void learn_all(double radius);
 
+  /// The mean distance of the items from their winners.
+  double mean_distance();
+
   /// The products of the weights with a sample: padded neurons.
   void products_with(std::size_t sample, std::span<double> out);
 
@@ -40,7 +43,9 @@ class ProductState {
  private:
   bool dot_product() const;
   void start_at_random(std::size_t threads);
+  void start_at_combinations(std::size_t threads);
   void start_at_samples();
+  void start_on_plane(std::size_t threads);
   kernels::ProductMap map();
   const double* item_products(std::size_t item) const;
   const double* initial_products(std::size_t sample) const;
@@ -55,7 +60,7 @@ class ProductState {
   std::shared_ptr<const ProductProblem> problem_;
   Grid grid_;
   std::size_t padded_;
-  // G(0); if initial weights are samples, a row of zeros. Shared by copies, like the following
+  // G(0); if initial weights are not random, a row of zeros. Shared by copies, like the following
   // members.
   std::shared_ptr<const ProductStart> start_;
   // K of the items; empty where they are all the samples.

@@ -75,23 +75,48 @@ void combine_ranges(ProcessGroup& processes, std::size_t size, std::vector<float
   maximize(processes, high);
 }
 
-InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples)
-    : InitialWeightsSource(parameters, samples, StoredElements(samples.size())) {}
+Result<void> check_initial_weights(const SomParameters& parameters, const Samples& samples) {
+  if (parameters.initial_weights != InitialWeights::kLinear) return {};
+  std::vector<float> low;
+  std::vector<float> high;
+  widen_ranges(samples, low, high);
+  return check_plane(samples.count(), low, high);
+}
+
+void write_on_plane(const PrincipalPlane& plane, const SomParameters& parameters,
+                    std::size_t neuron, std::span<float> out) {
+  const PlanePlace place = place_on_plane(parameters.grid(), neuron);
+  for (std::size_t d = 0; d < out.size(); ++d) {
+    out[d] = static_cast<float>(plane.mean[d] + place.first * plane.first[d] +
+                                place.second * plane.second[d]);
+  }
+  if (parameters.similarity == Similarity::kDotProduct) normalize_length(out);
+}
 
 InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples,
-                                           StoredElements elements)
+                                           std::size_t threads)
+    : InitialWeightsSource(parameters, samples, StoredElements(samples.size()), threads) {}
+
+InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples,
+                                           StoredElements elements, std::size_t threads)
     : parameters_(parameters), samples_(samples), elements_(std::move(elements)) {
   require(samples.size() == elements_.count(), "initial weights need the stored elements' samples");
   require(samples.count() > 0, "initial weights need at least one sample");
   if (parameters_.initial_weights == InitialWeights::kSamples) {
     sample_of_neuron_ = initial_samples(parameters_, samples.count());
-  } else if (parameters_.initial_weights == InitialWeights::kRange) {
+  } else if (parameters_.initial_weights != InitialWeights::kUniform) {
     widen_ranges(samples, low_, high_);
+  }
+  if (parameters_.initial_weights == InitialWeights::kLinear) {
+    plane_ = principal_plane(samples, low_, high_, threads);
   }
 }
 
 void InitialWeightsSource::write(std::size_t neuron, std::span<float> out) const {
   require(out.size() == samples_.size(), "initial weights need space for one value per feature");
+  if (parameters_.initial_weights == InitialWeights::kLinear) {
+    return write_on_plane(plane_, parameters_, neuron, out);
+  }
   if (parameters_.initial_weights == InitialWeights::kSamples) {
     write_dense(samples_[sample_of_neuron_[neuron]], out);
   } else {

@@ -92,6 +92,27 @@ Result<void> check_range(const Samples& prepared) {
   return check_longest(longest_of(prepared));
 }
 
+bool may_diverge(const SomParameters& parameters) {
+  return parameters.neighbourhood == NeighbourhoodShape::kMexicanHat &&
+         parameters.similarity != Similarity::kDotProduct;
+}
+
+Result<void> check_bounded(const Som& som) {
+  const LaneMatrix<float>& weights = som.weights();
+  const std::size_t count = weights.padded_rows() * weights.columns();
+  const bool bounded = std::all_of(weights.data(), weights.data() + count, [](float weight) {
+    return std::fabs(weight) <= kLongestSample;
+  });
+  if (bounded) return {};
+  return fail(
+      ErrorKind::kData,
+      "the weights grow without limit, because neurons beyond the radius are pushed away "
+      "from samples more than others are drawn to them",
+      "neighbourhood = \"mexican_hat\"",
+      "use similarity = \"dot_product\", whose weights have length 1, a lower learning rate, "
+      "fewer iterations, or another neighbourhood");
+}
+
 Result<PreparedTraining> prepare_training(const SomParameters& parameters, const Samples& samples,
                                           Samples& storage) {
   SOMATO_TRY_VOID(check_samples(samples));
@@ -103,6 +124,7 @@ Result<PreparedTraining> prepare_training(const SomParameters& parameters, const
   SOMATO_TRY_VOID(check_memory(resolved, elements.count()));
   const Samples* prepared = &prepared_samples(resolved, samples, storage);
   SOMATO_TRY_VOID(check_range(*prepared));
+  SOMATO_TRY_VOID(check_initial_weights(resolved, *prepared));
   if (prepared->is_sparse()) {
     storage = elements.gather(*prepared);
     prepared = &storage;

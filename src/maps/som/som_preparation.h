@@ -33,6 +33,13 @@ Result<void> check_range(const Samples& prepared);
 Result<void> check_longest(double longest);
 double longest_of(const Samples& prepared);
 
+/// Whether online training can make weights grow without limit: with negative factors of the
+/// neighbourhood, except for a dot-product map, whose weights have length 1.
+bool may_diverge(const SomParameters& parameters);
+
+/// Refuses (kData) a map with weights beyond 1e18, which such training leads to.
+Result<void> check_bounded(const Som& som);
+
 /// The bytes that training a map with weights for so many elements takes, beside the samples.
 double training_memory(const SomParameters& parameters, std::size_t elements);
 

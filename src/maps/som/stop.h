@@ -13,6 +13,9 @@ class Stop {
   Stop(const Progress& progress, std::uint64_t total, std::uint64_t interval)
       : progress_(progress), total_(total), interval_(interval) {}
 
+  /// Sets another total, if it turns out to be longer or shorter.
+  void set_total(std::uint64_t total) { total_ = total; }
+
   bool after(std::uint64_t done) const {
     if (!progress_ || (done % interval_ != 0 && done != total_)) return false;
     return !progress_(done, total_);

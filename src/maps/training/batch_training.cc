@@ -30,10 +30,78 @@ BatchEpoch::BatchEpoch(Som& som, const SumScales& scales, std::size_t threads, b
   weights_to_change(som);  // before threads read them
 }
 
+namespace {
+
+double longest_of_weights(const Som& som) {
+  double longest = 0.0;
+  for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
+    double square = 0.0;
+    for (std::size_t d = 0; d < som.elements().count(); ++d) {
+      const double weight = som.weights()(neuron, d);
+      square += weight * weight;
+    }
+    longest = std::max(longest, std::sqrt(square));
+  }
+  return longest;
+}
+
+// A bound on distances by a similarity of vectors whose lengths add to `lengths`: a Euclidean
+// distance is at most this, others of `elements` elements exceed it by at most the root of their
+// number, and a cosine distance is at most 2.
+double greatest_distance(Similarity similarity, double lengths, std::size_t elements) {
+  if (similarity == Similarity::kCosine) return 2.0;
+  return lengths * std::sqrt(static_cast<double>(elements));
+}
+
+}  // namespace
+
+void BatchEpoch::measure(double longest) {
+  const SomParameters& parameters = som_.parameters();
+  const double lengths = longest + longest_of_weights(som_);
+  double greatest = 0.0;
+  for (const Layer& layer : parameters.layers) {
+    greatest += layer.weight / layer.scale.value_or(1.0) *
+                greatest_distance(layer.similarity, lengths, layer.count);
+  }
+  if (parameters.layers.empty()) {
+    greatest = greatest_distance(parameters.similarity, lengths, som_.elements().count());
+  }
+  distance_scale_ = scales_.scale_for(greatest);
+}
+
+// A missing element is as far away as none: the weight takes its place.
+double BatchEpoch::distance(const SignalView& sample, std::size_t winner, std::vector<float>& row,
+                            SomWorkspace& workspace) const {
+  if (known_.rows() == 0) return som_.distance(sample, winner, workspace);
+  row.assign(sample.values.begin(), sample.values.end());
+  for (std::size_t d = 0; d < row.size(); ++d) {
+    if (std::isnan(row[d])) row[d] = som_.weights()(winner, d);
+  }
+  return som_.distance(SignalView::dense(row), winner, workspace);
+}
+
+void BatchEpoch::add_distances(const Samples& samples, const std::vector<std::size_t>& winners) {
+  std::vector<std::int64_t> integers(samples.count());
+  for_each_range(samples.count(), threads_, [&](std::size_t begin, std::size_t end) {
+    SomWorkspace workspace;
+    std::vector<float> row;
+    for (std::size_t i = begin; i < end; ++i) {
+      integers[i] = static_cast<std::int64_t>(distance(samples[i], winners[i], row, workspace) *
+                                              distance_scale_);
+    }
+  });
+  for (const std::int64_t integer : integers) distances_ += integer;
+}
+
+double BatchEpoch::mean_distance(std::size_t samples) const {
+  return static_cast<double>(distances_) / distance_scale_ / static_cast<double>(samples);
+}
+
 std::vector<std::size_t> BatchEpoch::add(const Samples& seen) {
   const bool incomplete = known_.rows() > 0;
   std::vector<std::size_t> winners =
       incomplete ? winners_by_known(som_, seen, threads_) : winners_of_seen(som_, seen, threads_);
+  if (distance_scale_ != 0.0) add_distances(seen, winners);
   for (const std::size_t winner : winners) ++sums_(som_.elements().count(), winner);
   if (seen.is_sparse()) {
     for (std::size_t i = 0; i < seen.count(); ++i) {
@@ -91,6 +159,7 @@ void BatchEpoch::add_known(const Samples& samples, const std::vector<std::size_t
 
 void BatchEpoch::combine(ProcessGroup& processes) {
   processes.sum({sums_.data(), sums_.padded_rows() * sums_.columns()});
+  processes.sum({&distances_, 1});
 }
 
 // The sums over each neuron's neighbourhood, eight elements at a time.

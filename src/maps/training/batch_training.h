@@ -25,6 +25,13 @@ class BatchEpoch {
   /// samples that know it; without one in its neighbourhood a weight stays as it is.
   BatchEpoch(Som& som, const SumScales& scales, std::size_t threads, bool incomplete = false);
 
+  /// Makes add() measure the distances of samples, of which the longest has this length, from their
+  /// winners. To be called before it.
+  void measure(double longest);
+
+  /// The mean of these distances of `samples` samples: the same bits for every order of samples.
+  double mean_distance(std::size_t samples) const;
+
   /// Finds the winners of samples as the map sees them (seen_samples()), which have non-zeros only
   /// where the map has weights (see Som::store_all()), and takes them into the means. Returns the
   /// winners.
@@ -43,6 +50,9 @@ class BatchEpoch {
                  std::size_t block);
   void add_known(const Samples& samples, const std::vector<std::size_t>& winners,
                  std::size_t block);
+  double distance(const SignalView& sample, std::size_t winner, std::vector<float>& row,
+                  SomWorkspace& workspace) const;
+  void add_distances(const Samples& samples, const std::vector<std::size_t>& winners);
   void move_block(std::size_t block, std::span<const double> sums, std::span<const double> totals);
   void move_known(std::size_t block, std::span<const double> sums, std::span<const double> totals);
 
@@ -52,6 +62,9 @@ class BatchEpoch {
   // Elements and a last row of counts by winner: the sums of its samples.
   LaneMatrix<std::int64_t> sums_;
   LaneMatrix<std::int64_t> known_;  // elements by winner: samples that know it; or empty
+  // The sum of distances times a power of 2; without measurement the power is 0.
+  double distance_scale_ = 0.0;
+  std::int64_t distances_ = 0;
 };
 
 /// A whole epoch on `samples`. The map gets weights for all elements when the samples have one that

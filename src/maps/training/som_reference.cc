@@ -86,12 +86,26 @@ std::size_t ReferenceSom::winner(std::span<const double> input) const {
 
 double ReferenceSom::neighbourhood(std::size_t winner, std::size_t neuron, double radius) const {
   if (winner == neuron) return 1.0;
-  const double distance = std::sqrt(grid_.squared_distance(winner, neuron));
-  if (parameters_.neighbourhood == NeighbourhoodShape::kBubble) {
-    return distance <= radius * (1.0 + 1e-9) ? 1.0 : 0.0;
-  }
   if (radius == 0.0) return 0.0;
-  return exponential(-distance * distance / (2.0 * radius * radius));
+  const double distance = std::sqrt(grid_.squared_distance(winner, neuron));
+  const bool within = distance <= radius * (1.0 + 1e-9);
+  const double gaussian = exponential(-distance * distance / (2.0 * radius * radius));
+  const double ratio = distance / radius;
+  switch (parameters_.neighbourhood) {
+    case NeighbourhoodShape::kGaussian:
+      return gaussian;
+    case NeighbourhoodShape::kBubble:
+      return within ? 1.0 : 0.0;
+    case NeighbourhoodShape::kCutGaussian:
+      return within ? gaussian : 0.0;
+    case NeighbourhoodShape::kTriangular:
+      return std::max(0.0, 1.0 - ratio);
+    case NeighbourhoodShape::kEpanechnikov:
+      return std::max(0.0, 1.0 - ratio * ratio);
+    case NeighbourhoodShape::kMexicanHat:
+      return (1.0 - ratio * ratio) * gaussian;
+  }
+  return 0.0;
 }
 
 double ReferenceSom::distance(std::span<const double> input, std::size_t neuron) const {

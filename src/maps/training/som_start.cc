@@ -22,8 +22,9 @@ std::vector<std::size_t> every_one(const Samples& samples) {
 }
 
 // Only the stored elements: all others are 0 and remain 0.
-Som initial_som(const PreparedTraining& prepared) {
-  const InitialWeightsSource source(prepared.parameters, *prepared.samples, prepared.elements);
+Som initial_som(const PreparedTraining& prepared, std::size_t threads) {
+  const InitialWeightsSource source(prepared.parameters, *prepared.samples, prepared.elements,
+                                    threads);
   LaneMatrix<float> weights(prepared.parameters.grid().size(), prepared.samples->size());
   std::vector<float> row(prepared.samples->size());
   for (std::size_t neuron = 0; neuron < weights.rows(); ++neuron) {
@@ -33,10 +34,11 @@ Som initial_som(const PreparedTraining& prepared) {
   return Som(prepared.parameters, std::move(weights));
 }
 
-Result<SomStart> start_plain(const SomParameters& parameters, const Samples& samples) {
+Result<SomStart> start_plain(const SomParameters& parameters, const Samples& samples,
+                             std::size_t threads) {
   Samples storage;
   SOMATO_TRY(auto ready, prepare_training(parameters, samples, storage));
-  return SomStart{initial_som(ready), *ready.samples, every_one(samples),
+  return SomStart{initial_som(ready, threads), *ready.samples, every_one(samples),
                   std::move(ready.elements)};
 }
 
@@ -72,7 +74,8 @@ Result<SomStart> start_som(const SomParameters& parameters, const Samples& sampl
   }
   SOMATO_TRY(auto problem, ProductProblem::prepare(parameters, samples, training, options.threads));
   if (problem == nullptr) {
-    return start_plain(parameters, options.training ? samples.subset(training) : samples);
+    return start_plain(parameters, options.training ? samples.subset(training) : samples,
+                       options.threads);
   }
   auto weights = std::make_shared<const ProductWeights>(
       samples, ProductState(std::move(problem), options.threads), options.threads);
@@ -80,7 +83,7 @@ Result<SomStart> start_som(const SomParameters& parameters, const Samples& sampl
 }
 
 Result<Som> untrained_som(const SomParameters& parameters, const Samples& samples) {
-  SOMATO_TRY(auto start, start_plain(parameters, samples));
+  SOMATO_TRY(auto start, start_plain(parameters, samples, 1));
   return start.whole(std::move(start.som));
 }
 

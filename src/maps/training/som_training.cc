@@ -12,94 +12,26 @@
 #include "maps/som/som_preparation.h"
 #include "maps/som/stop.h"
 #include "maps/training/batch_training.h"
+#include "maps/training/length_checks.h"
+#include "maps/training/moments.h"
+#include "maps/training/online_training.h"
 #include "maps/training/som_start.h"
 #include "maps/training/source_preparation.h"
 #include "maps/training/training_checkpoint.h"
 #include "somato/core/check.h"
 #include "somato/maps/layers.h"
-#include "somato/maps/som_learner.h"
 
 namespace somato {
 namespace {
 
-constexpr std::uint64_t kOnlineIterationsBetweenReports = 64;
-constexpr std::uint64_t kProductIterationsBetweenReports = 256;
-constexpr std::uint64_t kLeastIterationsBetweenReports = 16;  // learned in one pass
-constexpr std::uint64_t kWeightsBetweenReports = std::uint64_t{1} << 28;
-constexpr std::size_t kManyNeurons = std::size_t{1} << 22;  // of which a step takes up to a second
-constexpr std::uint64_t kMoments = 100;
-
-// Fewer on a large map: a user who stops it does not want to wait.
-std::uint64_t iterations_between_reports(const Som& som) {
-  if (som.products()) return kProductIterationsBetweenReports;
-  if (som.neurons() > kManyNeurons) return 1;
-  const std::uint64_t weights = std::uint64_t{som.neurons()} * som.elements().count();
-  return std::clamp<std::uint64_t>(kWeightsBetweenReports / weights, kLeastIterationsBetweenReports,
-                                   kOnlineIterationsBetweenReports);
-}
-
-// Shows an observer the moments of one training.
-class Moments {
- public:
-  Moments(const TrainingObserver& observer, const Som& som, std::uint64_t steps)
-      : observer_(observer), weights_(som.neurons() * som.elements().count()), steps_(steps) {}
-
-  // The first moment after `step`, or the end.
-  std::uint64_t next(std::uint64_t step) const {
-    if (!observer_) return steps_;
-    const std::uint64_t number = step * kMoments / steps_ + 1;
-    return std::min(steps_, (number * steps_ + kMoments - 1) / kMoments);
-  }
-
-  // Whether to stop after `step`.
-  bool stop_after(std::uint64_t step, double learning_rate, double radius,
-                  const std::function<Som()>& map) const {
-    if (!observer_ || next(step - 1) != step) return false;
-    return !observer_({step, steps_, learning_rate, radius, weights_, map});
-  }
-
- private:
-  const TrainingObserver& observer_;
-  std::size_t weights_;
-  std::uint64_t steps_;
-};
-
-Result<void> train_online(SomStart& start, const TrainingOptions& options) {
-  const SomParameters p = start.som.parameters();
-  const std::uint64_t total = *p.iterations;
-  const std::uint64_t interval = iterations_between_reports(start.som);
-  const Stop stop(options.progress, total, interval);
-  // Memory for a learner of so many neurons takes seconds.
-  if (start.som.neurons() > kManyNeurons && stop.after(0)) return Stop::error();
-  const Moments moments(options.observer, start.som, total);
-  DrawSequence draws(p.draws, start.training.size(), p.seed);
-  SomLearner learner(start.som, options.threads, options.incomplete != nullptr);
-  std::vector<std::size_t> drawn;
-  std::vector<LearningStep> steps;
-  for (std::uint64_t t = 0; t < total;) {
-    const std::uint64_t end = std::min({t - t % interval + interval, moments.next(t), total});
-    drawn.clear();
-    steps.clear();
-    for (; t < end; ++t) {
-      drawn.push_back(start.training[draws.next()]);
-      steps.push_back({p.learning_rate().at(t), p.radius().at(t)});
-    }
-    learner.learn(options.incomplete ? *options.incomplete : start.samples, drawn, steps);
-    const auto map = [&] { return start.whole(learner.look()); };
-    if (stop.after(t) ||
-        moments.stop_after(t, steps.back().learning_rate, steps.back().radius, map)) {
-      return Stop::error();
-    }
-  }
-  return {};
-}
-
 // An epoch on the samples of a survey; stops after any part.
 Result<void> train_epoch(Som& som, SampleSource& prepared, std::uint64_t epoch,
                          const SampleSurvey& survey, const TrainingOptions& options,
-                         const Stop& stop) {
+                         const Stop& stop, LengthChecks& checks) {
   const SumScales scales(survey.count, survey.low, survey.high);
   BatchEpoch training(som, scales, options.threads, options.incomplete != nullptr);
+  const bool is_check = epoch >= som.parameters().epochs;
+  if (is_check) training.measure(survey.longest);
   std::uint64_t done = epoch * survey.parts;
   const auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
     training.add(part);
@@ -109,25 +41,34 @@ Result<void> train_epoch(Som& som, SampleSource& prepared, std::uint64_t epoch,
   });
   SOMATO_TRY_VOID(agreed(gone_through, options.processes));
   if (options.processes) training.combine(*options.processes);
+  if (is_check) checks.add(training.mean_distance(survey.count));
   training.finish(som.parameters().radius().at(epoch));
   return {};
 }
 
 // The epochs from `first` on: `learn` is given the number of each, `map` gives the map after it.
 Result<void> train_epochs(const Som& som, std::uint64_t first, std::uint64_t parts,
-                          const TrainingOptions& options,
+                          const TrainingOptions& options, const LengthChecks& checks,
                           const std::function<Result<void>(std::uint64_t, const Stop&)>& learn,
                           const std::function<Som()>& map) {
   const SomParameters p = som.parameters();
-  const Stop stop(options.progress, p.epochs * parts, 1);
+  const auto total_after = [&](std::uint64_t epochs) {
+    return std::max(epochs, p.epochs) + checks.checks_left();
+  };
+  Stop stop(options.progress, total_after(first) * parts, 1);
   const Moments moments(options.observer, som, p.epochs);
-  for (std::uint64_t epoch = first; epoch < p.epochs; ++epoch) {
+  std::uint64_t epoch = first;
+  while (epoch < p.epochs || checks.go_on()) {
     SOMATO_TRY_VOID(learn(epoch, stop));
-    const bool stops = stop.after((epoch + 1) * parts) ||
-                       moments.stop_after(epoch + 1, 0.0, p.radius().at(epoch), map);
+    const double radius = p.radius().at(epoch++);
+    const std::uint64_t total = total_after(epoch);
+    stop.set_total(total * parts);
+    const bool stops =
+        stop.after(epoch * parts) || moments.stop_after(epoch, total, 0.0, radius, map);
     SOMATO_TRY_VOID(
         agreed<void>(stops ? Result<void>(Stop::error()) : Result<void>(), options.processes));
   }
+  if (options.steps_done) *options.steps_done = epoch;
   return {};
 }
 
@@ -137,23 +78,27 @@ class Checkpoints {
   Checkpoints(const TrainingOptions& options, const Som& som, const SampleSurvey& survey)
       : options_(options), identity_(training_identity(som.parameters(), survey)) {}
 
-  // Returns the number of completed epochs, and sets the map after them. All processes read the
-  // file, which they must share.
-  Result<std::uint64_t> load(Som& som) const {
+  // Returns the number of completed epochs, and sets the map and the checks after them. All
+  // processes read the file, which they must share.
+  Result<std::uint64_t> load(Som& som, LengthChecks& checks) const {
     if (options_.checkpoint.empty()) return 0;
     SOMATO_TRY(auto loaded,
                agreed(load_checkpoint(options_.checkpoint, identity_), options_.processes));
     const std::uint64_t epochs = loaded ? loaded->epochs : 0;
     SOMATO_TRY_VOID(agreed(check_shared(epochs), options_.processes));
-    if (loaded) som = std::move(loaded->som);
+    if (loaded) {
+      som = std::move(loaded->som);
+      checks.restore(loaded->checks);
+    }
     return epochs;
   }
 
-  Result<void> save(std::uint64_t epochs, const Som& som) const {
+  Result<void> save(std::uint64_t epochs, const Som& som, const LengthChecks& checks) const {
     if (options_.checkpoint.empty()) return {};
     const bool saves = !options_.processes || options_.processes->is_first();
     return agreed(
-        saves ? save_checkpoint(options_.checkpoint, identity_, {epochs, som}) : Result<void>(),
+        saves ? save_checkpoint(options_.checkpoint, identity_, {epochs, som, checks.state()})
+              : Result<void>(),
         options_.processes);
   }
 
@@ -177,12 +122,13 @@ Result<void> train_batch(SomStart& start, SampleSource& prepared, const SampleSu
                          const TrainingOptions& options) {
   Som& som = start.som;
   const Checkpoints checkpoints(options, som, survey);
-  SOMATO_TRY(const auto done, checkpoints.load(som));
+  LengthChecks checks(som.parameters());
+  SOMATO_TRY(const auto done, checkpoints.load(som, checks));
   return train_epochs(
-      som, done, survey.parts, options,
+      som, done, survey.parts, options, checks,
       [&](std::uint64_t epoch, const Stop& stop) {
-        return train_epoch(som, prepared, epoch, survey, options, stop).and_then([&] {
-          return checkpoints.save(epoch + 1, som);
+        return train_epoch(som, prepared, epoch, survey, options, stop, checks).and_then([&] {
+          return checkpoints.save(epoch + 1, som, checks);
         });
       },
       [&] { return start.whole(som); });
@@ -194,9 +140,11 @@ Result<void> train_batch_by_products(Som& som, const TrainingOptions& options) {
   const auto map = [&] {
     return Som(std::make_shared<const ProductWeights>(before->known(), state, before->threads()));
   };
+  LengthChecks checks(som.parameters());
   auto trained = train_epochs(
-      som, 0, 1, options,
+      som, 0, 1, options, checks,
       [&](std::uint64_t epoch, const Stop&) -> Result<void> {
+        if (epoch >= som.parameters().epochs) checks.add(state.mean_distance());
         state.learn_all(som.parameters().radius().at(epoch));
         return {};
       },
@@ -228,7 +176,7 @@ Result<Som> train_on_prepared(const SomParameters& parameters, SampleSource& pre
                               const TrainingOptions& options) {
   SOMATO_TRY(const SampleSurvey survey, survey_samples(prepared, options.processes));
   SOMATO_TRY(const auto resolved, agreed(resolve_for(parameters, survey), options.processes));
-  auto som = initial_som(resolved, prepared, survey, options.processes);
+  auto som = initial_som(resolved, prepared, survey, options.processes, options.threads);
   if (!som) return som;
   SomStart start{std::move(*som), {}, {}, StoredElements(prepared.size())};
   SOMATO_TRY_VOID(train_batch(start, prepared, survey, options));

@@ -1,11 +1,15 @@
 #include "maps/training/source_preparation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 
+#include "base/core/memory.h"
 #include "maps/som/initial_weights.h"
 #include "maps/som/som_preparation.h"
 
@@ -80,21 +84,105 @@ void combine(ProcessGroup& processes, std::size_t size, SampleSurvey& survey) {
   combine_ranges(processes, size, survey.low, survey.high);
 }
 
-// Every weight is that of the only process that has set it; the sum of the bits keeps its sign.
-void combine(ProcessGroup& processes, LaneMatrix<float>& weights) {
-  const std::size_t count = weights.padded_rows() * weights.columns();
+// Every value is that of the only process that has set it; the sum of the bits keeps its sign.
+void combine(ProcessGroup& processes, std::span<float> values) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 20;
   std::vector<std::int64_t> bits;
-  for (std::size_t first = 0; first < count; first += kAtOnce) {
-    float* const some = weights.data() + first;
-    bits.resize(std::min(kAtOnce, count - first));
-    std::transform(some, some + bits.size(), bits.begin(),
+  for (std::size_t first = 0; first < values.size(); first += kAtOnce) {
+    const auto some = values.subspan(first, std::min(kAtOnce, values.size() - first));
+    bits.resize(some.size());
+    std::transform(some.begin(), some.end(), bits.begin(),
                    [](float value) { return std::int64_t{std::bit_cast<std::uint32_t>(value)}; });
     processes.sum(bits);
-    std::transform(bits.begin(), bits.end(), some, [](std::int64_t value) {
+    std::transform(bits.begin(), bits.end(), some.begin(), [](std::int64_t value) {
       return std::bit_cast<float>(static_cast<std::uint32_t>(value));
     });
   }
+}
+
+Result<LaneMatrix<float>> weights_at_samples(const SomParameters& parameters,
+                                             SampleSource& prepared, const SampleSurvey& survey,
+                                             ProcessGroup* processes) {
+  WeightsAtSamples at_samples(parameters, survey);
+  const auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
+    at_samples.take(part);
+    return {};
+  });
+  SOMATO_TRY_VOID(agreed(gone_through, processes));
+  LaneMatrix<float> weights = at_samples.take_weights();
+  if (processes) combine(*processes, {weights.data(), weights.padded_rows() * weights.columns()});
+  return weights;
+}
+
+Result<void> check_samples_fit(const SampleSurvey& survey) {
+  const double needed =
+      static_cast<double>(survey.count) * static_cast<double>(survey.low.size()) * sizeof(float);
+  if (needed <= static_cast<double>(memory_limit())) return {};
+  return fail(ErrorKind::kSystem,
+              fmt::format("linear initial weights of fewer samples than features need all samples "
+                          "in memory, which takes {}",
+                          memory_text(needed)),
+              {}, "set 'initial_weights' to range or samples");
+}
+
+// The samples of all processes.
+Result<Samples> all_samples(SampleSource& prepared, const SampleSurvey& survey,
+                            ProcessGroup* processes) {
+  SOMATO_TRY_VOID(agreed(check_samples_fit(survey), processes));
+  Matrix<float> rows(survey.count, survey.low.size());
+  std::size_t next = survey.first;
+  const auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
+    for (std::size_t i = 0; i < part.count(); ++i) write_dense(part[i], rows.row(next++));
+    return {};
+  });
+  SOMATO_TRY_VOID(agreed(gone_through, processes));
+  if (processes) combine(*processes, rows.values());
+  return Samples(std::move(rows));
+}
+
+Result<PrincipalPlane> plane_of(SampleSource& prepared, const SampleSurvey& survey,
+                                ProcessGroup* processes, std::size_t threads) {
+  SOMATO_TRY_VOID(agreed(check_plane(survey.count, survey.low, survey.high), processes));
+  if (plane_needs_all(survey.count, survey.low, survey.high)) {
+    return all_samples(prepared, survey, processes).map([&](const Samples& samples) {
+      return principal_plane(samples, survey.low, survey.high, threads);
+    });
+  }
+  CovarianceSums sums(survey.count, survey.low, survey.high, threads);
+  const auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
+    sums.add(part);
+    return {};
+  });
+  SOMATO_TRY_VOID(agreed(gone_through, processes));
+  if (processes) sums.combine(*processes);
+  return sums.plane();
+}
+
+LaneMatrix<float> weights_on_plane(const SomParameters& parameters, const PrincipalPlane& plane) {
+  LaneMatrix<float> weights(parameters.grid().size(), plane.mean.size());
+  std::vector<float> row(plane.mean.size());
+  for (std::size_t neuron = 0; neuron < weights.rows(); ++neuron) {
+    write_on_plane(plane, parameters, neuron, row);
+    weights.set_row(neuron, row);
+  }
+  return weights;
+}
+
+Result<LaneMatrix<float>> initial_weights(const SomParameters& parameters, SampleSource& prepared,
+                                          const SampleSurvey& survey, ProcessGroup* processes,
+                                          std::size_t threads) {
+  switch (parameters.initial_weights) {
+    case InitialWeights::kSamples:
+      return weights_at_samples(parameters, prepared, survey, processes);
+    case InitialWeights::kLinear:
+      return plane_of(prepared, survey, processes, threads).map([&](const PrincipalPlane& plane) {
+        return weights_on_plane(parameters, plane);
+      });
+    case InitialWeights::kRange:
+    case InitialWeights::kUniform:
+      break;
+  }
+  return weights_in_ranges(parameters, survey);
 }
 
 }  // namespace
@@ -115,19 +203,9 @@ Result<SampleSurvey> survey_samples(SampleSource& prepared, ProcessGroup* proces
 }
 
 Result<Som> initial_som(const SomParameters& parameters, SampleSource& prepared,
-                        const SampleSurvey& survey, ProcessGroup* processes) {
-  if (parameters.initial_weights != InitialWeights::kSamples) {
-    return Som(parameters, weights_in_ranges(parameters, survey));
-  }
-  WeightsAtSamples at_samples(parameters, survey);
-  const auto gone_through = for_each_part(prepared, [&](const Samples& part) -> Result<void> {
-    at_samples.take(part);
-    return {};
-  });
-  SOMATO_TRY_VOID(agreed(gone_through, processes));
-  LaneMatrix<float> weights = at_samples.take_weights();
-  if (processes) combine(*processes, weights);
-  return Som(parameters, std::move(weights));
+                        const SampleSurvey& survey, ProcessGroup* processes, std::size_t threads) {
+  return initial_weights(parameters, prepared, survey, processes, threads)
+      .map([&](LaneMatrix<float>&& weights) { return Som(parameters, std::move(weights)); });
 }
 
 }  // namespace somato

@@ -25,8 +25,11 @@ struct SampleSurvey {
 Result<SampleSurvey> survey_samples(SampleSource& prepared, ProcessGroup* processes);
 
 /// The map that batch training starts from, the same as from all samples in memory. `parameters`
-/// are resolved, and `survey` is of the same samples and processes. Fails as the source does.
+/// are resolved, and `survey` is of the same samples and processes. Fails as the source does, and
+/// as check_plane() does; kSystem if linear initial weights need all samples in memory, and these
+/// do not fit. `threads` do not affect the map.
 Result<Som> initial_som(const SomParameters& parameters, SampleSource& prepared,
-                        const SampleSurvey& survey, ProcessGroup* processes);
+                        const SampleSurvey& survey, ProcessGroup* processes,
+                        std::size_t threads = 1);
 
 }  // namespace somato

@@ -17,8 +17,8 @@ int bits_of_values(std::size_t samples) {
 }
 
 // The power of 2 that takes every value below 2^bits.
-double scale_for(float greatest, int bits) {
-  if (greatest == 0.0F) return 1.0;
+double power_for(double greatest, int bits) {
+  if (greatest == 0.0) return 1.0;
   int exponent = 0;
   static_cast<void>(std::frexp(greatest, &exponent));
   return std::ldexp(1.0, bits - exponent);
@@ -27,12 +27,17 @@ double scale_for(float greatest, int bits) {
 }  // namespace
 
 SumScales::SumScales(std::size_t samples, std::span<const float> low, std::span<const float> high)
-    : scales_((low.size() / kDoubleLanes + 1) * kDoubleLanes, 1.0), units_(scales_) {
-  const int bits = bits_of_values(samples);
+    : bits_(bits_of_values(samples)),
+      scales_((low.size() / kDoubleLanes + 1) * kDoubleLanes, 1.0),
+      units_(scales_) {
   for (std::size_t d = 0; d < low.size(); ++d) {
-    scales_[d] = scale_for(std::max(std::fabs(low[d]), std::fabs(high[d])), bits);
+    scales_[d] = power_for(std::max(std::fabs(low[d]), std::fabs(high[d])), bits_);
     units_[d] = 1.0 / scales_[d];
   }
+}
+
+double SumScales::scale_for(double greatest) const {
+  return power_for(greatest, bits_);
 }
 
 std::int64_t SumScales::integer(std::size_t element, float value) const {

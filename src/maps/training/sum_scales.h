@@ -25,12 +25,16 @@ class SumScales {
   /// The integer that stands for a value.
   std::int64_t integer(std::size_t element, float value) const;
 
+  /// The power of 2 for sums of other values of as many samples, from 0 to `greatest`.
+  double scale_for(double greatest) const;
+
   /// The number that a sum stands for, rounded to double precision.
   double number(std::size_t element, std::int64_t sum) const {
     return static_cast<double>(sum) * units_[element];
   }
 
  private:
+  int bits_;
   AlignedVector<double> scales_;
   AlignedVector<double> units_;  // 1 / scale
 };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "maps/training/length_checks.h"
 #include "maps/training/source_preparation.h"
 #include "somato/core/result.h"
 #include "somato/maps/som.h"
@@ -14,6 +15,7 @@ namespace somato {
 struct TrainingCheckpoint {
   std::uint64_t epochs = 0;  ///< Completed ones.
   Som som;
+  LengthChecks::State checks = {};  ///< Only stored if the length of training is automatic.
 };
 
 /// A text that identifies a training: that of a map with these resolved parameters on samples of

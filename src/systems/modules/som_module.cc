@@ -8,6 +8,7 @@
 #include "maps/som/initial_weights.h"
 #include "maps/som/map_parts.h"
 #include "maps/som/som_archive.h"
+#include "maps/som/som_preparation.h"
 #include "maps/training/som_start.h"
 #include "somato/core/check.h"
 #include "systems/modules/support.h"
@@ -53,6 +54,22 @@ class LearningRunner : public Runner {
   std::size_t sample_;
   SomWorkspace workspace_;
 };
+
+// Maps that learn together, step by step, share a number of steps, and none is checked on the way.
+Result<void> check_stepwise(const SomParameters& parameters) {
+  if (parameters.is_length_automatic()) {
+    return fail(
+        ErrorKind::kUsage,
+        "the length of training cannot depend on the map's error, because the map learns in "
+        "step with other modules, or from frames",
+        {}, "remove 'tolerance', and set 'iterations'");
+  }
+  if (!may_diverge(parameters)) return {};
+  return fail(ErrorKind::kUsage,
+              "a map that learns in step with other modules, or from frames, cannot use the "
+              "neighbourhood mexican_hat, because its weights could grow without limit unnoticed",
+              {}, "choose another 'neighbourhood', or similarity = \"dot_product\"");
+}
 
 }  // namespace
 
@@ -146,6 +163,7 @@ Result<std::uint64_t> SomModule::begin(const LearningPlan& plan,
                 "or change during training",
                 {}, "remove 'arithmetic'");
   }
+  SOMATO_TRY_VOID(check_stepwise(parameters));
   if (!plan.inputs_fixed) parameters.arithmetic = Arithmetic::kPlain;
   if (plan.inputs_unknown && parameters.initial_weights != InitialWeights::kUniform) {
     return fail(

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,18 @@ namespace somato {
 namespace {
 
 constexpr std::size_t kLanes = NeighbourhoodMixing::kLanes;
+
+std::vector<testing::Variant> variants_of_all_shapes() {
+  std::vector<testing::Variant> variants;
+  for (testing::Variant variant : testing::all_variants()) {
+    if (variant.neighbourhood != NeighbourhoodShape::kBubble) continue;
+    for (const auto& [shape, name] : Choices<NeighbourhoodShape>::all()) {
+      variant.neighbourhood = shape;
+      variants.push_back(variant);
+    }
+  }
+  return variants;
+}
 
 void expect_plain_sums(const testing::Variant& variant, std::size_t rows, std::size_t columns,
                        double radius) {
@@ -34,7 +47,7 @@ void expect_plain_sums(const testing::Variant& variant, std::size_t rows, std::s
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         double sum = 0.0;
         for (std::size_t j = 0; j < grid.size(); ++j) sum += around[j] * in[j * kLanes + lane];
-        ASSERT_NEAR(out[k * kLanes + lane], sum, 1e-12 * (1.0 + sum))
+        ASSERT_NEAR(out[k * kLanes + lane], sum, 1e-12 * (1.0 + std::fabs(sum)))
             << testing::name_of(variant) << ' ' << rows << " x " << columns << ", neuron " << k;
       }
     }
@@ -44,7 +57,7 @@ void expect_plain_sums(const testing::Variant& variant, std::size_t rows, std::s
 }
 
 TEST(NeighbourhoodMixing, IsTheSumOverEveryPairOfNeurons) {
-  for (const testing::Variant& variant : testing::all_variants()) {
+  for (const testing::Variant& variant : variants_of_all_shapes()) {
     for (const double radius : {0.0, 0.7, 2.5, 100.0}) {
       expect_plain_sums(variant, 6, 9, radius);
       expect_plain_sums(variant, 2, 1, radius);
@@ -54,7 +67,7 @@ TEST(NeighbourhoodMixing, IsTheSumOverEveryPairOfNeurons) {
 }
 
 TEST(NeighbourhoodMixing, KnowsOddNumbersOfRows) {
-  for (testing::Variant variant : testing::all_variants()) {
+  for (const testing::Variant& variant : variants_of_all_shapes()) {
     if (variant.topology == Topology::kPlane) expect_plain_sums(variant, 7, 4, 1.5);
   }
 }

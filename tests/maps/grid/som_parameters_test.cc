@@ -44,6 +44,10 @@ TEST(SomParameters, KnowsWhichHaveNoEffect) {
   EXPECT_EQ(reason_without_effect(p, "epochs"), "training is online");
   EXPECT_EQ(reason_without_effect(p, "iterations"), "");
   EXPECT_EQ(reason_without_effect(p, "radius_end"), "");
+  EXPECT_EQ(reason_without_effect(p, "patience"), "tolerance is 0");
+  EXPECT_EQ(reason_without_effect(p, "most_checks"), "tolerance is 0");
+  p.tolerance = 0.1;
+  EXPECT_EQ(reason_without_effect(p, "patience"), "");
   p.training = Training::kBatch;
   EXPECT_EQ(reason_without_effect(p, "epochs"), "");
   for (const char* name : {"iterations", "draws", "learning_rate_start"}) {

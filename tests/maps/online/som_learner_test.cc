@@ -183,7 +183,8 @@ TEST(SomLearner, OneStepIsTheReferencesOnTenThousandProblems) {
   EXPECT_GT(compared, testing::fewer_if_sanitized(8000));
 }
 
-// Law: an update never makes a weight less similar to its sample.
+// Law: an update never makes a weight less similar to its sample, unless the neighbourhood is
+// negative.
 TEST(SomLearner, NeverMovesAWeightAwayFromItsSample) {
   Random random(55);
   for (int i = 0; i < 3000; ++i) {

@@ -103,5 +103,41 @@ TEST(InitialWeights, DifferBetweenSeedsAndNeurons) {
   EXPECT_NE(first, weights_of(InitialWeightsSource(p, samples), 0, 9));
 }
 
+// The plane's centre is the mean, and its corners are a standard deviation away along each
+// component; the seed has no effect.
+TEST(InitialWeights, LinearOnesLieOnThePlane) {
+  const Samples samples(Matrix<float>(4, 2, {8, 5, 2, 5, 5, 6, 5, 4}));
+  SomParameters p = parameters_with(InitialWeights::kLinear);
+  p.rows = 3;
+  p.columns = 5;
+  const auto first = static_cast<float>(std::sqrt(4.5));
+  const auto second = static_cast<float>(std::sqrt(0.5));
+  for (const std::uint64_t seed : {1U, 2U}) {
+    p.seed = seed;
+    const InitialWeightsSource source(p, samples);
+    const auto expect_weights = [&](std::size_t neuron, float x, float y) {
+      const std::vector<float> weights = weights_of(source, neuron, 2);
+      EXPECT_NEAR(weights[0], x, 1e-5);
+      EXPECT_NEAR(weights[1], y, 1e-5);
+    };
+    expect_weights(7, 5, 5);
+    expect_weights(0, 5 - first, 5 - second);
+    expect_weights(14, 5 + first, 5 + second);
+    expect_weights(8, 5 + first / 2, 5);
+  }
+}
+
+TEST(InitialWeights, LinearOnesHaveLengthOneForADotProductMap) {
+  Random random(4);
+  SomParameters p = parameters_with(InitialWeights::kLinear);
+  p.similarity = Similarity::kDotProduct;
+  const InitialWeightsSource source(p, testing::random_samples(20, 6, false, random));
+  for (std::size_t neuron = 0; neuron < p.grid().size(); ++neuron) {
+    double square = 0.0;
+    for (const float weight : weights_of(source, neuron, 6)) square += double{weight} * weight;
+    EXPECT_NEAR(square, 1.0, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace somato

@@ -26,13 +26,31 @@ inline std::vector<Similarity> all_similarities() {
   return similarities;
 }
 
-/// All forty kinds.
+/// The neighbourhoods that are never negative, so that an update never moves a weight away from the
+/// sample.
+inline std::vector<NeighbourhoodShape> shapes_that_attract() {
+  std::vector<NeighbourhoodShape> shapes;
+  for (const auto& [shape, name] : Choices<NeighbourhoodShape>::all()) {
+    if (shape != NeighbourhoodShape::kMexicanHat) shapes.push_back(shape);
+  }
+  return shapes;
+}
+
+/// The neighbourhoods that laws of a similarity are tried with: all with the Euclidean distance,
+/// otherwise two, because a neighbourhood does not depend on the similarity.
+inline std::vector<NeighbourhoodShape> shapes_with(Similarity similarity) {
+  return similarity == Similarity::kEuclidean
+             ? shapes_that_attract()
+             : std::vector{NeighbourhoodShape::kGaussian, NeighbourhoodShape::kBubble};
+}
+
+/// All kinds that attract.
 inline std::vector<Variant> all_variants() {
   std::vector<Variant> variants;
   for (const Lattice lattice : {Lattice::kRectangular, Lattice::kHexagonal}) {
     for (const Topology topology : {Topology::kPlane, Topology::kTorus}) {
       for (const Similarity similarity : all_similarities()) {
-        for (const auto shape : {NeighbourhoodShape::kGaussian, NeighbourhoodShape::kBubble}) {
+        for (const NeighbourhoodShape shape : shapes_with(similarity)) {
           variants.push_back({lattice, topology, similarity, shape});
         }
       }

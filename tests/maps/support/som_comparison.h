@@ -62,6 +62,8 @@ inline Matrix<double> widened(Som som) {
 inline SomParameters random_resolved(Random& random, std::size_t samples, std::size_t size,
                                      const std::vector<Variant>& variants = all_variants()) {
   SomParameters p = random_parameters(variants[random.below(variants.size())], random);
+  const auto shapes = shapes_that_attract();
+  if (random.below(2) == 0) p.neighbourhood = shapes[random.below(shapes.size())];
   const auto& starts = Choices<InitialWeights>::all();
   p.initial_weights = starts[random.below(starts.size())].first;
   p.draws = random.below(2) == 0 ? Draws::kWithReplacement : Draws::kWithoutReplacement;

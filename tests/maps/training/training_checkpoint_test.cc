@@ -74,8 +74,11 @@ TEST_F(Checkpoints, OfOneNumberOfProcessesContinueOnAnotherWithTheSameBits) {
   for (const bool sparse : {false, true}) {
     const Samples samples = noise_for_checkpoints(sparse, 23);
     for (const testing::Variant& variant : testing::all_variants()) {
-      for (const auto initial : {InitialWeights::kRange, InitialWeights::kSamples}) {
-        const SomParameters p = parameters_for(variant, initial);
+      for (const auto initial : {number % 3 == 0 ? InitialWeights::kLinear : InitialWeights::kRange,
+                                 InitialWeights::kSamples}) {
+        SomParameters p = parameters_for(variant, initial);
+        p.tolerance = number % 2 == 0 ? 0.0 : 0.01;
+        p.patience = 2;
         SamplesInMemory whole(samples);
         const auto expected = train_som(p, whole);
         ASSERT_TRUE(expected) << to_string(expected.error());
@@ -93,6 +96,35 @@ TEST_F(Checkpoints, OfOneNumberOfProcessesContinueOnAnotherWithTheSameBits) {
         std::filesystem::remove(path());
       }
     }
+  }
+}
+
+// The processes agree on the end, at any epoch after which training was interrupted.
+TEST_F(Checkpoints, ContinueTrainingOfAutomaticLength) {
+  const Samples samples = noise_for_checkpoints(false, 23);
+  SomParameters p = parameters_for(testing::all_variants().front(), InitialWeights::kSamples);
+  p.epochs = 2;
+  p.tolerance = 1e-3;
+  p.patience = 2;
+  SamplesInMemory whole(samples);
+  TrainingOptions options;
+  std::uint64_t steps = 0;
+  options.steps_done = &steps;
+  const auto expected = train_som(p, whole, options);
+  ASSERT_TRUE(expected);
+  ASSERT_GT(steps, 5U);
+  for (std::uint64_t last = 1; last <= steps; ++last) {
+    options.checkpoint = path();
+    options.progress = [=](std::uint64_t done, std::uint64_t) { return done < last; };
+    ASSERT_FALSE(train_som(p, whole, options));
+    options.progress = {};
+    std::uint64_t resumed = 0;
+    options.steps_done = &resumed;
+    const auto som = train_som(p, whole, options);
+    ASSERT_TRUE(som) << to_string(som.error());
+    EXPECT_EQ(resumed, steps) << last;
+    EXPECT_TRUE(som->weights() == expected->weights()) << last;
+    std::filesystem::remove(path());
   }
 }
 

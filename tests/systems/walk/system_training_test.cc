@@ -62,7 +62,9 @@ TEST(SystemTraining, ASingleMapIsTrainedAsWithoutASystem) {
   const Recording recording = hand_recording(9, 5);
   for (const std::string more :
        {"", "training = \"batch\"\nepochs = 5\n", "similarity = \"dot_product\"\niterations = 77\n",
-        "arithmetic = \"inner_products\"\ndraws = \"without_replacement\"\n"}) {
+        "arithmetic = \"inner_products\"\ndraws = \"without_replacement\"\n",
+        "initial_weights = \"linear\"\nneighbourhood = \"triangular\"\niterations = 20\n"
+        "tolerance = 0.01\n"}) {
     const System system = trained(
         build(channels() + module("closed", "last", "input = \"joints\"") +
                   module("map", "som", "input = \"closed\"\nrows = 4\ncolumns = 3\n" + more),
@@ -368,6 +370,21 @@ TEST(SystemTraining, InnerProductsNeedTheSameInputsThroughout) {
               module("b", "som", "input = \"a\"" + kSmall + by_products) +
               "[[phase]]\nlearn = [\"a\", \"b\"]\ndraws = 9\n",
           "module 'b'");
+}
+
+TEST(SystemTraining, StepByStepHasAFixedLengthAndBoundedWeights) {
+  const Recording recording = hand_recording(6, 5);
+  for (const auto& [setting, reason] :
+       {std::pair{"\ntolerance = 0.1", "cannot depend on the map's error"},
+        {"\nneighbourhood = \"mexican_hat\"", "grow without limit"}}) {
+    System system = build(channels() + module("a", "som", "input = \"joints\"" + kSmall + setting) +
+                              "[[phase]]\nlearn = \"a\"\ndraws = 9\n",
+                          recording);
+    const auto trained = try_train(system, recording, 4);
+    ASSERT_FALSE(trained);
+    EXPECT_EQ(trained.error().kind, ErrorKind::kUsage);
+    EXPECT_NE(trained.error().what.find(reason), std::string::npos) << to_string(trained.error());
+  }
 }
 
 // A map that receives its own activity of the preceding frame.
