@@ -30,15 +30,16 @@ Result<void> write_own_winners(const MapAndRows& both, const WinnerFormat& forma
                       model.classes.empty() ? std::vector<std::size_t>() : model.labels.labelled());
   std::size_t done = both.rows.first;
   bool has_begun = !is_first;
-  SOMATO_TRY_VOID(for_each_block(prepared.samples(), kRowsAtOnce, [&](const Samples& block) -> Result<void> {
-    const SampleReadings readings = reader.read(block, {false, true});
-    if (!std::exchange(has_begun, true)) SOMATO_TRY_VOID(output.write(format.begin()));
-    for (const std::string& text : format.rows(readings, done, threads)) {
-      SOMATO_TRY_VOID(output.write(text));
-    }
-    done += block.count();
-    return {};
-  }));
+  SOMATO_TRY_VOID(
+      for_each_block(prepared.samples(), kRowsAtOnce, [&](const Samples& block) -> Result<void> {
+        const SampleReadings readings = reader.read(block, {false, true});
+        if (!std::exchange(has_begun, true)) SOMATO_TRY_VOID(output.write(format.begin()));
+        for (const std::string& text : format.rows(readings, done, threads)) {
+          SOMATO_TRY_VOID(output.write(text));
+        }
+        done += block.count();
+        return {};
+      }));
   return has_begun ? Result<void>() : output.write(format.begin());
 }
 

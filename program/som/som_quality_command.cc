@@ -22,15 +22,15 @@ Result<double> accuracy(const MapAndRows& both, std::size_t threads) {
   PreparedRows prepared(model, both.rows);
   std::size_t row = 0;
   double right = 0.0;
-  return for_each_part(prepared.samples(),
-                       [&](const Samples& part) -> Result<void> {
-                         for (const std::size_t predicted :
-                              model.labels.classify(model.som, part, threads)) {
-                           const std::string& name = classes.names[classes.of_sample[row++]];
-                           right += model.classes[predicted] == name ? 1.0 : 0.0;
-                         }
-                         return {};
-                       })
+  return for_each_part(
+             prepared.samples(),
+             [&](const Samples& part) -> Result<void> {
+               for (const std::size_t predicted : model.labels.classify(model.som, part, threads)) {
+                 const std::string& name = classes.names[classes.of_sample[row++]];
+                 right += model.classes[predicted] == name ? 1.0 : 0.0;
+               }
+               return {};
+             })
       .map([&] { return right / static_cast<double>(row); });
 }
 
@@ -42,8 +42,9 @@ Result<void> add_label_measures(const MapAndRows& both, const SomQuality& qualit
   table.entries.push_back(entry("individuals_apart", individuals_apart(quality.winners, classes)));
   table.entries.push_back(entry("areas_connected", areas.connected(classes)));
   if (both.model.classes.empty()) return {};
-  return accuracy(both, threads).map(
-      [&](double share) { table.entries.push_back(entry("accuracy", share)); });
+  return accuracy(both, threads).map([&](double share) {
+    table.entries.push_back(entry("accuracy", share));
+  });
 }
 
 // Only one process can measure more than the errors, which needs all samples together.

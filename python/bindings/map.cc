@@ -257,15 +257,12 @@ nb::object Map::numbers_of(const SampleRows& rows, NumbersOf numbers_of_part) co
 
 nb::object Map::winners(const SampleRows& rows, std::size_t threads) const {
   SampleReader reader(model_.som, threads);
-  return numbers_of(rows, [&](const Samples& part) {
-    return first_winners(reader.read(part));
-  });
+  return numbers_of(rows, [&](const Samples& part) { return first_winners(reader.read(part)); });
 }
 
 nb::object Map::classes(const SampleRows& rows, std::size_t threads) const {
-  return numbers_of(rows, [&](const Samples& part) {
-    return model_.labels.classify(model_.som, part, threads);
-  });
+  return numbers_of(
+      rows, [&](const Samples& part) { return model_.labels.classify(model_.som, part, threads); });
 }
 
 nb::object Map::labelled_winners(const SampleRows& rows, std::size_t threads) const {

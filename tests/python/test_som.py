@@ -250,10 +250,10 @@ def test_many_rows_are_read_as_one_by_one(similarity):
     names = np.array(["a", "b", None, None, None], dtype=object)[np.arange(300) % 5]
     som = SOM(12, 15, iterations=400, similarity=similarity, threads=3).fit(X, names)
     new = rng.normal(size=(200, 5)).astype(np.float32)
-    alone = som.set_params(threads=1)
-    np.testing.assert_array_equal(som.classify(new), np.concatenate([alone.classify(row[None]) for row in new]))
-    np.testing.assert_array_equal(som.predict(new), np.concatenate([alone.predict(row[None]) for row in new]))
-    np.testing.assert_array_equal(som.transform(new), np.concatenate([alone.transform(row[None]) for row in new]))
+    single = som.set_params(threads=1)
+    np.testing.assert_array_equal(som.classify(new), np.concatenate([single.classify(row[None]) for row in new]))
+    np.testing.assert_array_equal(som.predict(new), np.concatenate([single.predict(row[None]) for row in new]))
+    np.testing.assert_array_equal(som.transform(new), np.concatenate([single.transform(row[None]) for row in new]))
 
 
 def test_the_label_is_that_of_the_nearest_neuron_with_one():

@@ -1,5 +1,5 @@
-// The kernels of neuron_activity_kernels.h, written once; included after kernels_body.h, whose vectors
-// they use, in the namespace of one instruction set.
+// The kernels of neuron_activity_kernels.h, written once; included after kernels_body.h, whose
+// vectors they use, in the namespace of one instruction set.
 
 #include <cstddef>
 

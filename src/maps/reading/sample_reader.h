@@ -10,13 +10,13 @@
 
 namespace somato {
 
-/// What is read for each sample besides its winner.
+/// The choice of what is read for each sample besides its winner.
 struct ReadingChoice {
   bool second = false;    ///< The second most similar neuron.
   bool distance = false;  ///< The distance from the winner.
 };
 
-/// What a map says about many samples, in their order.
+/// The readings of many samples, in their order.
 struct SampleReadings {
   std::vector<Winners> winners;      ///< The second one only if it was chosen.
   std::vector<double> distances;     ///< From the winners; empty unless they were chosen.
@@ -54,7 +54,7 @@ class SampleReader {
   const Som& som_;
   std::size_t threads_;
   std::vector<std::size_t> candidates_;
-  std::vector<bool> is_candidate_;         // of each neuron
+  std::vector<bool> is_candidate_;        // of each neuron
   std::optional<Som> map_of_candidates_;  // once it has been needed
 };
 

@@ -45,7 +45,8 @@ std::vector<InputAnswer> answers_to(const SystemModel& model, const Samples& inp
                   *answer.labels[named],
                   som.distance(inputs[i], named, workspace),
                   {}};
-      if (answer.novelty) given[i].novelty = answer.novelty->of(given[i].nearest, given[i].distance);
+      if (answer.novelty)
+        given[i].novelty = answer.novelty->of(given[i].nearest, given[i].distance);
     }
   });
   return given;

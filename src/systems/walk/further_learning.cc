@@ -157,7 +157,8 @@ Result<void> learn_further(SystemModel& model, const Recording& recording,
   const Som& som = *som_of(model.system, map);
   Numbers all(explorations.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  answer.votes.add_all(first_winners(SampleReader(som, options.threads).read(inputs, all)), classes);
+  answer.votes.add_all(first_winners(SampleReader(som, options.threads).read(inputs, all)),
+                       classes);
   answer.labels = answer.votes.labels();
   if (answer.novelty) answer.novelty->add_classes(answer.classes.size());
   model.answer = std::move(answer);

@@ -35,8 +35,8 @@ std::vector<LabelledNeuron> LabelledMap::nearest(const Numbers& explorations) co
   std::vector<LabelledNeuron> nearest;
   nearest.reserve(neurons.size());
   for (std::size_t i = 0; i < neurons.size(); ++i) {
-    nearest.push_back({*labels_[neurons[i]],
-                       som_.distance(inputs_.samples, places[i], neurons[i], workspace)});
+    nearest.push_back(
+        {*labels_[neurons[i]], som_.distance(inputs_.samples, places[i], neurons[i], workspace)});
   }
   return nearest;
 }

@@ -79,7 +79,7 @@ void expect_single_readings(const Som& som, const Samples& samples, Random& rand
   }
 }
 
-TEST(SampleReaderThreads, ReadsWhatEverySampleAloneReads) {
+TEST(SampleReaderThreads, ReadsWhatIsReadFromSingleSamples) {
   Random random(3);
   for (const testing::Variant& variant : testing::all_variants()) {
     if (variant.neighbourhood != NeighbourhoodShape::kGaussian) continue;
@@ -129,7 +129,8 @@ TEST(SampleReader, ReadsFromListedElements) {
   std::vector<Signal> others;
   for (std::size_t i = 0; i < 90; ++i) {
     const auto value = static_cast<float>(random.normal());
-    learned.push_back(Signal::sparse({50}, {3, 7 + static_cast<std::uint32_t>(i % 3)}, {1.0F, value}));
+    learned.push_back(
+        Signal::sparse({50}, {3, 7 + static_cast<std::uint32_t>(i % 3)}, {1.0F, value}));
     others.push_back(Signal::sparse({50}, {3, 20}, {value, static_cast<float>(random.normal())}));
   }
   SomParameters parameters;
@@ -196,7 +197,8 @@ TEST(SampleReaderThreads, WritesTheActivityOfEverySample) {
       read_activity(som, samples, threads, written);
       for (std::size_t i = 0; i < samples.count(); ++i) {
         som.activity(samples[i], workspace, single);
-        EXPECT_TRUE(std::equal(single.begin(), single.end(), written.begin() + 35 * static_cast<std::ptrdiff_t>(i)));
+        EXPECT_TRUE(std::equal(single.begin(), single.end(),
+                               written.begin() + 35 * static_cast<std::ptrdiff_t>(i)));
       }
     }
     EXPECT_THROW(read_activity(som, samples, 1, std::span(written).first(35)), InvalidArgument);
