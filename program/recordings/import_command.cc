@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "base/files/toml_file.h"
+#include "base/text/number_of_text.h"
 #include "base/text/text.h"
 #include "flags/commands.h"
 #include "recordings/bags/bag_description.h"
@@ -47,14 +47,12 @@ tl::unexpected<Error> misplaced_shape(const std::string& text) {
 Result<std::vector<std::size_t>> shape_in(const std::string& text, const std::string& channel) {
   std::vector<std::size_t> shape;
   for (const std::string& length : split(text, 'x')) {
-    std::size_t value = 0;
-    const auto [end, failure] =
-        std::from_chars(length.data(), length.data() + length.size(), value);
-    if (failure != std::errc() || end != length.data() + length.size() || value == 0) {
+    const auto value = number_of_text<std::size_t>(length);
+    if (!value || *value == 0) {
       return fail(ErrorKind::kUsage, fmt::format("'{}' is not a shape", text), "--channels",
                   fmt::format("write for example {}[4x4], row by row", channel));
     }
-    shape.push_back(value);
+    shape.push_back(*value);
   }
   return shape;
 }

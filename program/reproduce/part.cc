@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "base/text/number_of_text.h"
 #include "flags/output_folder.h"
 #include "flags/result_output.h"
 #include "terminal/wording.h"
@@ -20,11 +20,8 @@ constexpr std::size_t kMostParts = 1'000'000;
 constexpr const char* kTask = "SLURM_ARRAY_TASK_ID";
 
 std::optional<std::size_t> whole_number(std::string_view text) {
-  std::size_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, status] = std::from_chars(text.data(), end, number);
-  if (status != std::errc() || stop != end || number > kMostParts) return {};
-  return number;
+  const auto number = number_of_text<std::size_t>(text);
+  return number && *number <= kMostParts ? number : std::nullopt;
 }
 
 Result<Part> part_named(const std::string& text) {

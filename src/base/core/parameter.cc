@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
+#include "base/text/number_of_text.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -21,24 +21,15 @@ std::string with_range(const std::string& noun, const Range& range) {
   return limits.empty() ? noun : noun + ", " + limits;
 }
 
-template <typename Number>
-std::optional<Number> parse(std::string_view text) {
-  Number number{};
-  const char* end = text.data() + text.size();
-  const auto [stop, status] = std::from_chars(text.data(), end, number);
-  if (status != std::errc{} || stop != end) return std::nullopt;
-  return number;
-}
-
 // A flag's argument has no type, so it is read according to the parameter's type.
 Value scalar_from_text(std::string_view type, std::string_view text) {
   if (type == "switch" && text == "true") return {true};
   if (type == "switch" && text == "false") return {false};
   if (type == "integer" || type == "number") {
-    if (const auto whole = parse<std::int64_t>(text)) return {*whole};
+    if (const auto whole = number_of_text<std::int64_t>(text)) return {*whole};
   }
   if (type == "number") {
-    if (const auto real = parse<double>(text)) return {*real};
+    if (const auto real = number_of_text<double>(text)) return {*real};
   }
   return {std::string(text)};
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "base/tables/csv_number.h"
 #include "base/tables/csv_text.h"
 #include "base/text/flag_hint.h"
+#include "base/text/number_of_text.h"
 #include "base/text/text.h"
 #include "somato/core/check.h"
 #include "somato/core/value.h"
@@ -20,10 +20,8 @@ namespace somato {
 namespace {
 
 std::optional<std::size_t> number_from_one(const std::string& text) {
-  std::size_t number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && stop == text.data() + text.size() && number > 0;
-  return whole ? std::optional(number - 1) : std::nullopt;
+  const auto number = number_of_text<std::size_t>(text);
+  return number && *number > 0 ? std::optional(*number - 1) : std::nullopt;
 }
 
 // Single precision is sufficient for numbers with few digits.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "base/tables/csv_header.h"
 #include "base/text/flag_hint.h"
 #include "base/text/name_glob.h"
+#include "base/text/number_of_text.h"
 #include "base/text/text.h"
 #include "somato/core/value.h"
 
@@ -25,13 +25,6 @@ tl::unexpected<Error> unusable_choice(std::string what, std::string_view where,
   return fail(ErrorKind::kUsage, std::move(what), std::string(where), std::move(advice));
 }
 
-std::optional<std::size_t> whole_number(std::string_view text) {
-  std::size_t number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool whole = error == std::errc() && stop == text.data() + text.size();
-  return whole ? std::optional(number) : std::nullopt;
-}
-
 // Numbers from 1, both included.
 struct NumberRange {
   std::size_t first;
@@ -43,9 +36,10 @@ struct NumberRange {
 std::optional<NumberRange> number_range(std::string_view item) {
   constexpr std::string_view kDots = "..";
   const std::size_t dots = item.find(kDots);
-  const auto first = whole_number(item.substr(0, dots));
-  const auto last =
-      dots == std::string_view::npos ? first : whole_number(item.substr(dots + kDots.size()));
+  const auto first = number_of_text<std::size_t>(item.substr(0, dots));
+  const auto last = dots == std::string_view::npos
+                        ? first
+                        : number_of_text<std::size_t>(item.substr(dots + kDots.size()));
   if (!first || !last || *first == 0 || *last < *first) return std::nullopt;
   return NumberRange{*first, *last};
 }
@@ -63,7 +57,8 @@ Result<Named> by_number(const std::string& item, std::size_t width, std::string_
   if (!range || range->last > width) {
     return unusable_choice(fmt::format("there is no column {}", shown(item)), where, advice);
   }
-  Named named{Columns(range->last - range->first + 1), whole_number(item).has_value()};
+  Named named{Columns(range->last - range->first + 1),
+              number_of_text<std::size_t>(item).has_value()};
   std::iota(named.columns.begin(), named.columns.end(), range->first - 1);
   return named;
 }

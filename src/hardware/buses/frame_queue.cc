@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
+
+#include "somato/core/check.h"
 
 namespace somato::devices {
 namespace {
@@ -10,27 +13,21 @@ namespace {
 // boards differ by half a hundredth.
 constexpr double kSlowest = 0.01;
 
-Matrix<float> rows_of(const Matrix<float>& all, std::size_t first, std::size_t end) {
-  const auto values = all.values().subspan(first * all.columns(), (end - first) * all.columns());
-  return {end - first, all.columns(), {values.begin(), values.end()}};
-}
-
 }  // namespace
 
 void FrameQueue::begin(double now) {
   is_open_ = true;
   begun_ = now;
   latest_ = now;
-  values_ = Matrix<float>(0, values_.columns());
-  times_.clear();
+  waiting_ = WaitingFrames(values_);
 }
 
 void FrameQueue::add(std::span<const float> values, double now, std::optional<double> device_time) {
+  require(values.size() == values_, "FrameQueue::add: another number of values");
   const double time = time_of(now, device_time);
   if (!is_open_ || time < begun_) return;
   latest_ = std::max(latest_, time);
-  std::copy(values.begin(), values.end(), values_.add_row().begin());
-  times_.push_back(latest_);
+  waiting_.add(values, latest_);
 }
 
 double FrameQueue::time_of(double now, std::optional<double> device_time) {
@@ -44,12 +41,9 @@ double FrameQueue::time_of(double now, std::optional<double> device_time) {
 }
 
 void FrameQueue::take(double end, Matrix<float>& values, std::vector<double>& times) {
-  const auto after = std::upper_bound(times_.begin(), times_.end(), end);
-  const auto count = static_cast<std::size_t>(after - times_.begin());
-  values = rows_of(values_, 0, count);
-  times.assign(times_.begin(), after);
-  values_ = rows_of(values_, count, times_.size());
-  times_.erase(times_.begin(), after);
+  const std::span<const double> all = waiting_.times();
+  times.assign(all.begin(), std::upper_bound(all.begin(), all.end(), end));
+  values = waiting_.take(times.size());
 }
 
 }  // namespace somato::devices

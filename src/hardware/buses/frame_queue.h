@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "recordings/explorations/growing_channel.h"
 #include "somato/core/matrix.h"
 
 namespace somato::devices {
@@ -18,7 +19,7 @@ namespace somato::devices {
 /// slow by up to a hundredth is followed. Otherwise the time of a frame is that of its arrival.
 class FrameQueue {
  public:
-  explicit FrameQueue(std::size_t values) : values_(0, values) {}
+  explicit FrameQueue(std::size_t values) : values_(values), waiting_(values) {}
 
   /// Opens the queue, and discards what it contains: it keeps the frames from `now` on.
   void begin(double now);
@@ -34,8 +35,8 @@ class FrameQueue {
  private:
   double time_of(double now, std::optional<double> device_time);
 
-  Matrix<float> values_;
-  std::vector<double> times_;
+  std::size_t values_;  // of a frame
+  WaitingFrames waiting_;
   bool is_open_ = false;
   double begun_ = 0.0;
   double latest_ = -std::numeric_limits<double>::infinity();

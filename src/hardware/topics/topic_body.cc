@@ -269,8 +269,8 @@ Result<bool> TopicBody::take_values(std::size_t index, const Arrival& arrival) {
 Result<void> TopicBody::keep_time(std::uint64_t time) {
   if (!first_time_) {
     first_time_ = time;
-  } else if (is_of_calendar(static_cast<std::int64_t>(time)) !=
-             is_of_calendar(static_cast<std::int64_t>(*first_time_))) {
+  } else if (is_of_epoch(static_cast<std::int64_t>(time)) !=
+             is_of_epoch(static_cast<std::int64_t>(*first_time_))) {
     return fail(ErrorKind::kData,
                 fmt::format("the clock of the server jumped from {} to {}",
                             words_of_time(static_cast<std::int64_t>(last_time_)),

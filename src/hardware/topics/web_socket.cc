@@ -4,13 +4,14 @@
 #include <libwebsockets.h>
 
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cstring>
 #include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "base/text/number_of_text.h"
 
 namespace somato::topics {
 namespace {
@@ -29,11 +30,8 @@ bool take_prefix(std::string_view& text, std::string_view prefix) {
 }
 
 std::optional<int> port_in(std::string_view text) {
-  int port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if (port < 1 || port > 65535) return std::nullopt;
-  return port;
+  const auto port = number_of_text<int>(text);
+  return port && *port >= 1 && *port <= 65535 ? port : std::nullopt;
 }
 
 // The connection by libwebsockets, whose context has this one connection.

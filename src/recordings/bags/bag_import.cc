@@ -186,7 +186,7 @@ class BagReading {
   }
 
   bool is_jump(const ImportedChannel& channel, std::int64_t time) const {
-    return time < channel.latest || (start_ && is_of_calendar(time) != is_of_calendar(*start_));
+    return time < channel.latest || (start_ && is_of_epoch(time) != is_of_epoch(*start_));
   }
 
   // The exploration ends at a jump of the clock.
@@ -194,7 +194,7 @@ class BagReading {
                          const BagMessage& message, std::int64_t time) {
     if (description_->trials.jumps == ClockJumps::kRefuse) {
       const std::string name = shown(source.description.name);
-      if (time < channel.latest && is_of_calendar(time) == is_of_calendar(channel.latest)) {
+      if (time < channel.latest && is_of_epoch(time) == is_of_epoch(channel.latest)) {
         return bad(fmt::format("the clock of {} is set back by {:.6g} s", name,
                                static_cast<double>(channel.latest - time) / 1e9),
                    message, "cut the explorations there with --jumps cut");

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
+#include "base/text/number_of_text.h"
 #include "base/text/text.h"
 
 namespace somato {
@@ -23,13 +23,6 @@ std::string_view unquoted(std::string_view text) {
 std::optional<std::string_view> value_of(std::string_view line, std::string_view key) {
   if (!line.starts_with(key) || !line.substr(key.size()).starts_with(':')) return std::nullopt;
   return unquoted(trimmed(line.substr(key.size() + 1)));
-}
-
-std::optional<std::uint64_t> number_in(std::string_view text) {
-  std::uint64_t number = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (failure != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 // Reads the lines, of which some belong to a list: it ends at the first line that is indented less.
@@ -70,7 +63,7 @@ class MetadataLines {
     const auto counted = value_of(line, key);
     const auto count = value_of(line, "message_count");
     if (counted) counted_ = *counted;
-    if (count) messages_ = number_in(*count);
+    if (count) messages_ = number_of_text<std::uint64_t>(*count);
     if (counted_ && messages_) {
       counts[*counted_] = *messages_;
       counted_.reset();
@@ -84,7 +77,7 @@ class MetadataLines {
       metadata.compression = *compression;
     }
     if (const auto count = value_of(line, "message_count")) {
-      metadata.all_messages = number_in(*count);
+      metadata.all_messages = number_of_text<std::uint64_t>(*count);
     }
     if (line == "relative_file_paths:") begin_list(List::kPaths);
     if (line == "topics_with_message_count:") begin_list(List::kTopics);

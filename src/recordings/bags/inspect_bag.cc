@@ -41,7 +41,7 @@ void add_time(TopicSummary& summary, std::int64_t time) {
     summary.longest_gap = std::max(summary.longest_gap, time - summary.last);
     summary.passed += std::max(time - summary.last, std::int64_t{0});
   }
-  if (!is_of_calendar(time)) ++summary.not_of_calendar;
+  if (!is_of_epoch(time)) ++summary.not_of_calendar;
   summary.last = time;
   ++summary.messages;
 }

@@ -64,6 +64,21 @@ Matrix<float> readings_of(const Channel& channel, std::size_t first, std::size_t
   return readings;
 }
 
+std::span<const double> WaitingFrames::times() const {
+  if (channel_.times.empty()) return {};
+  return std::span(channel_.times).subspan(taken_);
+}
+
+// Half of the frames are dropped at once, so that the others are moved rarely.
+Matrix<float> WaitingFrames::take(std::size_t count) {
+  Matrix<float> frames = readings_of(channel_, taken_, count);
+  taken_ += count;
+  if (taken_ > 0 && 2 * taken_ >= channel_.frames.rows()) {
+    drop_frames(channel_, std::exchange(taken_, 0));
+  }
+  return frames;
+}
+
 Channel described(Channel collected, const ChannelDescription& description, std::size_t elements) {
   if (collected.frames.rows() == 0) collected.frames = Matrix<float>(0, elements);
   Channel channel = channel_of(description, std::move(collected.frames));

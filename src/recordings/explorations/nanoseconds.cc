@@ -7,7 +7,7 @@
 namespace somato {
 
 std::string words_of_time(std::int64_t nanoseconds) {
-  if (!is_of_calendar(nanoseconds)) return fmt::format("{:.6g} s", seconds_of(nanoseconds));
+  if (!is_of_epoch(nanoseconds)) return fmt::format("{:.6g} s", seconds_of(nanoseconds));
   using std::chrono::days;
   const std::chrono::sys_seconds time(std::chrono::seconds(nanoseconds / kNanosecondsASecond));
   const auto midnight = std::chrono::floor<days>(time);

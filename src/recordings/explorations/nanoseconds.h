@@ -30,13 +30,13 @@ inline double seconds_of(std::int64_t nanoseconds) {
   return static_cast<double>(whole) + static_cast<double>(nanoseconds % kNanosecondsASecond) / 1e9;
 }
 
-/// Whether a time since 1970 is one of the calendar, from the year 2000 on: clocks that were not
-/// set, and those of simulations, count from 1970 or from a start.
-constexpr bool is_of_calendar(std::int64_t nanoseconds) {
+/// is_of_epoch() for nanoseconds: clocks that were not set, and those of simulations, count from
+/// 1970 or from a start.
+constexpr bool is_of_epoch(std::int64_t nanoseconds) {
   return nanoseconds >= static_cast<std::int64_t>(kYear2000) * kNanosecondsASecond;
 }
 
-/// A time since 1970 in words: "2023-11-14 22:13:20 UTC" for one of the calendar, "12.5 s" for
+/// A time since 1970 in words: "2023-11-14 22:13:20 UTC" for one of the epoch, "12.5 s" for
 /// another.
 std::string words_of_time(std::int64_t nanoseconds);
 

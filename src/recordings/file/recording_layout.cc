@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "base/text/json_text.h"
+#include "base/text/number_of_text.h"
 #include "base/text/text.h"
 
 namespace somato {
@@ -39,13 +39,9 @@ std::optional<ExplorationMessage::Event> event_of(const std::string& name) {
 
 // For arbitrary JSON; throws exceptions of the JSON library, or std::invalid_argument.
 std::int64_t parse_time(const std::string& digits) {
-  std::int64_t time = 0;
-  const char* end = digits.data() + digits.size();
-  const auto [stop, status] = std::from_chars(digits.data(), end, time);
-  if (status != std::errc{} || stop != end || time < 0) {
-    throw std::invalid_argument("zero is not a number of nanoseconds");
-  }
-  return time;
+  const auto time = number_of_text<std::int64_t>(digits);
+  if (!time || *time < 0) throw std::invalid_argument("zero is not a number of nanoseconds");
+  return *time;
 }
 
 ExplorationMessage parse_begin(const Json& json, ExplorationMessage message) {

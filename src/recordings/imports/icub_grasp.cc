@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/files/whole_file.h"
+#include "base/text/number_of_text.h"
 #include "somato/core/value.h"
 
 namespace somato {
@@ -63,11 +64,8 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 }
 
 std::optional<float> finite_number(std::string_view field) {
-  float number = 0.0F;
-  const char* end = field.data() + field.size();
-  const auto [stop, status] = std::from_chars(field.data(), end, number);
-  if (status != std::errc{} || stop != end || !std::isfinite(number)) return std::nullopt;
-  return number;
+  const auto number = number_of_text<float>(field);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 // The content of a line of a time step, and its number of values.

@@ -16,6 +16,7 @@
 
 #include "base/files/whole_file.h"
 #include "base/text/flag_hint.h"
+#include "base/text/number_of_text.h"
 #include "base/text/text.h"
 #include "recordings/explorations/clock_times.h"
 #include "recordings/explorations/element_order.h"
@@ -65,11 +66,8 @@ bool is_numeral(std::string_view text) {
 }
 
 std::optional<double> number_of_dump(std::string_view text) {
-  double number = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, status] = std::from_chars(text.data(), end, number);
-  const bool is_finite = status == std::errc{} && stop == end && std::isfinite(number);
-  return is_finite ? std::optional(number) : std::nullopt;
+  const auto number = number_of_text<double>(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 // The words of a line; parentheses of lists separate them too.

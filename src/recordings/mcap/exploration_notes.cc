@@ -1,10 +1,10 @@
 #include "recordings/mcap/exploration_notes.h"
 
-#include <charconv>
 #include <optional>
 #include <string_view>
 #include <system_error>
 
+#include "base/text/number_of_text.h"
 #include "base/text/text.h"
 
 namespace somato {
@@ -20,11 +20,7 @@ std::optional<std::string> note_text(const McapMetadata& metadata, const std::st
 }
 
 std::optional<std::uint64_t> note_index(const McapMetadata& metadata) {
-  const std::string text = note_text(metadata, "exploration").value_or("");
-  std::uint64_t index = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), index);
-  if (status != std::errc() || end != text.data() + text.size()) return {};
-  return index;
+  return number_of_text<std::uint64_t>(note_text(metadata, "exploration").value_or(""));
 }
 
 }  // namespace

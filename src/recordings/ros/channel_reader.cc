@@ -105,7 +105,7 @@ Result<void> ChannelReader::take_names(const std::shared_ptr<const RosType>& typ
                                        const std::string& names) {
   const std::string paths = names.empty() ? usual_names(*type, values_.front()) : names;
   if (paths.empty()) return {};
-  SOMATO_TRY(names_, ElementNames::compile(type, paths));
+  SOMATO_TRY(names_, MessageNames::compile(type, paths));
   return {};
 }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "recordings/explorations/element_order.h"
-#include "recordings/ros/element_names.h"
 #include "recordings/ros/field_reader.h"
+#include "recordings/ros/message_names.h"
 #include "recordings/ros/message_type.h"
 #include "somato/core/result.h"
 
@@ -38,7 +38,7 @@ class ChannelReader {
   Result<bool> read(std::string_view message, ElementOrder& order,
                     std::vector<double>& values) const;
 
-  /// The names of the elements in the order of the message: as ElementNames; if there are none, the
+  /// The names of the elements in the order of the message: as MessageNames; if there are none, the
   /// places of the values, such as "sensors[0].taxels[3].z", or nothing for a std_msgs array.
   /// Errors: as FieldReader::read().
   Result<std::vector<std::string>> element_names(std::string_view message) const;
@@ -56,7 +56,7 @@ class ChannelReader {
   Result<void> learn(std::string_view message, const std::string& key, ElementOrder& order) const;
 
   std::vector<FieldReader> values_;
-  std::optional<ElementNames> names_;
+  std::optional<MessageNames> names_;
   std::vector<FieldReader> lengths_;   // of the axes
   std::optional<FieldReader> offset_;  // of a std_msgs array
 };

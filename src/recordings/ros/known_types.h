@@ -10,7 +10,7 @@ struct KnownChannel {
   std::string_view suffix;      ///< Follows the topic's name in the channel's, such as "/force".
   std::string_view path;        ///< See FieldReader.
   std::string_view unit;        ///< Empty: none, or not known.
-  std::string_view names = {};  ///< The paths of the elements' names; see ElementNames.
+  std::string_view names = {};  ///< The paths of the elements' names; see MessageNames.
 };
 
 /// A message type whose channels are known, with units.

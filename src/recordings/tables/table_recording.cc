@@ -9,6 +9,7 @@
 #include "base/core/contains.h"
 #include "base/files/labels.h"
 #include "base/files/whole_file.h"
+#include "base/numbers/known_values.h"
 #include "base/numbers/whole_table.h"
 #include "base/tables/csv_records.h"
 #include "base/tables/csv_table_reader.h"
@@ -73,28 +74,19 @@ Result<WholeTable> table_for_system(const std::string& bytes, const std::string&
   return features ? std::move(features) : std::move(as_trained);
 }
 
-bool is_known(float value) {
-  return !std::isnan(value);
-}
-
 // A value that is not known anywhere cannot be replaced.
 Result<void> check_known(const NumberTable& table, const std::string& where, bool trains) {
-  const Matrix<float>& values = table.values;
-  for (std::size_t row = 0; row < values.rows(); ++row) {
-    if (std::ranges::any_of(values.row(row), is_known)) continue;
-    return fail(ErrorKind::kData, fmt::format("row {} has no known value", row + 1), where,
-                "leave the row out");
+  KnownValues known;
+  Result<void> checked;
+  for (std::size_t row = 0; checked && row < table.values.rows(); ++row) {
+    checked = known.take(table.values.row(row));
   }
-  for (std::size_t column = 0; trains && column < values.columns(); ++column) {
-    bool any = false;
-    for (std::size_t row = 0; !any && row < values.rows(); ++row)
-      any = is_known(values(row, column));
-    if (any) continue;
-    const std::string name = table.names.empty() ? std::to_string(column + 1) : table.names[column];
-    return fail(ErrorKind::kData, fmt::format("column '{}' has no known value", name), where,
-                "leave the column out" + flag_hint("--skip"));
+  if (checked && trains) {
+    checked = known.means(table.names).transform([](const auto& /*means*/) {});
+    if (!checked) checked.error().advice += flag_hint("--skip");
   }
-  return {};
+  if (!checked) checked.error().where = where;
+  return checked;
 }
 
 // The labels of a separate file are one for each row.

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "base/text/number_of_text.h"
 #include "studies/description/exploration_samples.h"
 
 namespace somato {
@@ -16,10 +16,8 @@ namespace {
 constexpr std::size_t kFewestInOrder = 3;
 
 Result<double> number_from(const std::string& text, const std::string& label) {
-  double number = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error == std::errc() && rest == end && std::isfinite(number)) return number;
+  const auto number = number_of_text<double>(text);
+  if (number && std::isfinite(*number)) return *number;
   return fail(ErrorKind::kData,
               fmt::format("the label '{}' is '{}', which is not a number", label, text), {},
               "use a label with numbers as 'order'");

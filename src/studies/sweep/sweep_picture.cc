@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
+#include "base/text/number_of_text.h"
 #include "maps/svg/strip_picture.h"
 
 namespace somato {
@@ -20,23 +20,15 @@ std::string shown(const Value& value) {
   return to_toml(value);
 }
 
-std::optional<double> number_in(const std::string& toml) {
-  double number = 0.0;
-  const char* const end = toml.data() + toml.size();
-  const auto [stop, status] = std::from_chars(toml.data(), end, number);
-  if (status != std::errc() || stop != end) return {};
-  return number;
-}
-
 bool is_parted(const SweepDescription& sweep, const Unknown& unknown) {
   return unknown.parameters.is_range() && !has_levels(sweep.sweep.design);
 }
 
 bool is_in(const SweepCell& cell, const std::string& own) {
   if (to_toml(cell.from) == own) return true;
-  const auto number = number_in(own);
-  const auto from = number_in(to_toml(cell.from));
-  const auto to = number_in(to_toml(cell.to));
+  const auto number = number_of_text<double>(own);
+  const auto from = number_of_text<double>(to_toml(cell.from));
+  const auto to = number_of_text<double>(to_toml(cell.to));
   return number && from && to && *number >= *from && *number <= *to;
 }
 
@@ -53,7 +45,7 @@ StripMark mark_of(const SweepDescription& sweep, const Unknown& unknown, const s
                   const std::vector<SweepCell>& cells, std::optional<double> system_share) {
   StripMark mark{{}, "the system: " + own};
   if (system_share) mark.text += fmt::format(" ({:.0f} %)", 100.0 * *system_share);
-  const auto number = number_in(own);
+  const auto number = number_of_text<double>(own);
   if (!is_parted(sweep, unknown) || unknown.parameters.whole) {
     mark.place = place_among(cells, own);
   } else if (number) {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "base/text/flag_hint.h"
+#include "base/text/number_of_text.h"
 
 namespace somato {
 
@@ -66,10 +66,8 @@ Result<std::size_t> find_element(const ChannelLayout& channel, std::size_t eleme
   if (const auto found = std::find(names.begin(), names.end(), name); found != names.end()) {
     return static_cast<std::size_t>(found - names.begin());
   }
-  std::size_t number = 0;
-  const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
-  const bool is_number = read.ec == std::errc{} && read.ptr == name.data() + name.size();
-  if (is_number && number >= 1 && number <= elements) return number - 1;
+  const auto number = number_of_text<std::size_t>(name);
+  if (number && *number >= 1 && *number <= elements) return *number - 1;
   if (!names.empty()) return fail(unknown_name("element", name, {}, names));
   return fail(ErrorKind::kUsage, "unknown element '" + name + "'", {},
               fmt::format("elements are numbered from 1 to {}", elements));

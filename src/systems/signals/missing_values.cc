@@ -72,57 +72,6 @@ const std::vector<std::pair<MissingFill, std::string>>& Choices<MissingFill>::al
   return kAll;
 }
 
-Result<void> KnownValues::take(const Samples& part) {
-  if (low_.empty()) {
-    low_.assign(part.size(), std::numeric_limits<float>::quiet_NaN());
-    high_ = low_;
-    sums_.assign(part.size(), 0.0);
-    known_.assign(part.size(), 0);
-  }
-  std::vector<float> row(part.size());
-  for (std::size_t i = 0; i < part.count(); ++i) {
-    write_dense(part[i], row);
-    SOMATO_TRY_VOID(take(row));
-  }
-  return {};
-}
-
-Result<void> KnownValues::take(std::span<const float> row) {
-  ++samples_;
-  std::size_t missing = 0;
-  for (std::size_t column = 0; column < row.size(); ++column) {
-    const float value = row[column];
-    if (std::isnan(value)) {
-      ++missing;
-      continue;
-    }
-    low_[column] = std::fmin(low_[column], value);
-    high_[column] = std::fmax(high_[column], value);
-    sums_[column] += double{value};
-    ++known_[column];
-  }
-  missing_ += missing;
-  if (missing > 0) ++incomplete_;
-  if (missing < row.size()) return {};
-  return fail(ErrorKind::kData, fmt::format("row {} has no known value", samples_), {},
-              "leave the row out");
-}
-
-Result<std::vector<double>> KnownValues::means(const std::vector<std::string>& names) const {
-  std::vector<double> means(sums_.size());
-  for (std::size_t column = 0; column < means.size(); ++column) {
-    if (known_[column] == 0) {
-      return fail(ErrorKind::kData,
-                  names.empty() ? fmt::format("column {} has no known value", column + 1)
-                                : fmt::format("column {} ('{}') has no known value", column + 1,
-                                              names[column]),
-                  {}, "leave the column out");
-    }
-    means[column] = sums_[column] / static_cast<double>(known_[column]);
-  }
-  return means;
-}
-
 Samples filled_with(std::span<const double> values, const Samples& samples) {
   require(values.size() == samples.size(), "missing values need one value for each column");
   Matrix<float> rows(samples.count(), samples.size());

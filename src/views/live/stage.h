@@ -15,7 +15,8 @@
 
 namespace somato::live {
 
-/// What those who play, explore and name in a session share. Used by the thread of the player.
+/// The parts of a session that Playback, BodySession and Naming share. Used by the thread of the
+/// player.
 struct Stage {
   /// `hub` must outlive it.
   Stage(ViewSource viewed, const ViewSettings& settings, EventHub& hub);

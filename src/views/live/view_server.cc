@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "base/text/number_of_text.h"
 #include "views/http/address.h"
 #include "views/http/event_hub.h"
 #include "views/http/http_access.h"
@@ -99,12 +99,7 @@ HttpResponse file_response(Result<std::string> bytes, std::string_view name) {
 
 std::optional<std::size_t> number_in(const HttpRequest& request, std::string_view name) {
   const auto text = request.parameter(name);
-  std::size_t number = 0;
-  if (!text) return {};
-  const char* end = text->data() + text->size();
-  const auto [stop, error] = std::from_chars(text->data(), end, number);
-  if (error != std::errc() || stop != end) return {};
-  return number;
+  return text ? number_of_text<std::size_t>(*text) : std::nullopt;
 }
 
 }  // namespace

@@ -19,36 +19,6 @@ tl::unexpected<Error> stopped_playing() {
   return fail(ErrorKind::kInterrupted, "playing the recording was interrupted");
 }
 
-// The frames of a channel that no moment has had yet.
-class WaitingFrames {
- public:
-  void add(std::span<const float> values, std::span<const std::uint8_t> valid) {
-    add_frame(channel_, values, {}, valid);
-  }
-
-  std::size_t count() const { return channel_.frames.rows() - taken_; }
-  std::size_t elements() const { return channel_.frames.columns(); }
-
-  // The oldest ones, with NaN where a value is missing.
-  Matrix<float> take(std::size_t count) {
-    Matrix<float> frames = readings_of(channel_, taken_, count);
-    forget(count);
-    return frames;
-  }
-
- private:
-  // Half of them at once, so that the others are moved rarely.
-  void forget(std::size_t count) {
-    taken_ += count;
-    if (taken_ == 0 || 2 * taken_ < channel_.frames.rows()) return;
-    drop_frames(channel_, taken_);
-    taken_ = 0;
-  }
-
-  Channel channel_;
-  std::size_t taken_ = 0;
-};
-
 // Takes the frames of an exploration and gives its moments to an observer.
 class PlayedMoments final : public FrameSink {
  public:
@@ -75,7 +45,7 @@ class PlayedMoments final : public FrameSink {
                      std::span<const std::uint8_t> valid) override {
     const auto& should_continue = options_->limits.should_continue;
     if (should_continue && !should_continue()) return stopped_playing();
-    waiting_[channel].add(values, valid);
+    waiting_[channel].add(values, {}, valid);
     if (channel == moments_.longest()) times_.push_back(time);
     collect(channel, values, time, valid);
     while (next_ < moments_.count() && has_come()) SOMATO_TRY_VOID(give());

@@ -35,11 +35,11 @@ struct PlacementCommand {
 struct ExploreCommand {};
 struct NameCommand {
   Label label;                         ///< Such as {"object", "cup"}.
-  std::optional<std::size_t> id = {};  ///< Of the exploration, or the current one.
+  std::optional<std::size_t> id = {};  ///< The exploration; empty: the current one.
 };
 struct UndoNameCommand {
-  std::size_t id = 0;  ///< Of the exploration that was named last.
-  Label label;         ///< That it was given last.
+  std::size_t id = 0;  ///< The exploration that was named last.
+  Label label;         ///< The label that it was given last.
 };
 struct PlanCommand {
   std::size_t each = 0;  ///< Explorations of each name; 0 ends the plan.

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <vector>
 
 #include "somato/core/check.h"
+#include "somato/core/random.h"
 
 namespace somato {
 namespace {
@@ -41,6 +44,30 @@ TEST(GrowingChannel, ReadingsComeBackWithTheirMissingValues) {
   EXPECT_TRUE(std::isnan(read(1, 1)));
   EXPECT_EQ(read(2, 0), 0.0F) << "a value of 0 is not missing";
   EXPECT_EQ(readings_of(channel, 4, 0), Matrix<float>(0, 2));
+}
+
+// Against a queue of numbers, with more added than taken and the reverse.
+TEST(WaitingFrames, AreTakenFromTheOldestOn) {
+  WaitingFrames waiting(1);
+  EXPECT_EQ(waiting.take(0), Matrix<float>(0, 1));
+  std::deque<float> expected;
+  Random random(7);
+  float next = 0.0F;
+  for (int round = 0; round < 200; ++round) {
+    const std::size_t most = round < 100 ? 6 : 2;
+    for (std::uint64_t i = random.below(most); i > 0; --i) {
+      waiting.add(std::vector<float>{next}, double{next});
+      expected.push_back(next++);
+    }
+    const std::size_t count = std::min<std::size_t>(random.below(4), expected.size());
+    ASSERT_EQ(waiting.count(), expected.size());
+    const std::vector<double> times(waiting.times().begin(), waiting.times().end());
+    EXPECT_EQ(times, std::vector<double>(expected.begin(), expected.end()));
+    const Matrix<float> taken = waiting.take(count);
+    for (std::size_t i = 0; i < count; ++i, expected.pop_front()) {
+      EXPECT_EQ(taken(i, 0), expected.front());
+    }
+  }
 }
 
 TEST(GrowingChannel, TimesThatAreNotKnownAreLeftOut) {

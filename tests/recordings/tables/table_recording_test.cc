@@ -53,7 +53,7 @@ TEST(TableRecording, RowsAndColumnsWithoutAKnownValueAreRefused) {
   expect_refused(load_recording(mask, folder.with("t.csv", "a,b\n1,2\n,NA\n")),
                  "row 2 has no known value");
   const std::string column = folder.with("c.csv", "a,b\n1,\n2,NA\n");
-  expect_refused(load_recording(mask, column), "column 'b' has no known value");
+  expect_refused(load_recording(mask, column), "column 2 ('b') has no known value");
   RecordingParameters for_system = mask;
   for_system.for_system = true;
   EXPECT_TRUE(load_recording(for_system, column));

@@ -27,30 +27,6 @@ std::vector<float> values_of(const Samples& samples) {
   return values;
 }
 
-// By hand: 1, 4, 7 and 2, 3; one value is missing in the second row, two in the third.
-TEST(KnownValues, AreCountedAndMeasuredByColumn) {
-  KnownValues known;
-  ASSERT_TRUE(known.take(samples(2, {1, 2, 9, 4, kMissing, 9})));
-  ASSERT_TRUE(known.take(samples(1, {kMissing, 3, kMissing})));
-  EXPECT_EQ(known.samples(), 3U);
-  EXPECT_EQ(known.missing(), 3U);
-  EXPECT_EQ(known.incomplete(), 2U);
-  EXPECT_EQ(known.means({}).value(), (std::vector<double>{2.5, 2.5, 9}));
-  EXPECT_EQ(known.low(), (std::vector<float>{1, 2, 9}));
-  EXPECT_EQ(known.high(), (std::vector<float>{4, 3, 9}));
-}
-
-TEST(KnownValues, RefuseRowsAndColumnsOfWhichNothingIsKnown) {
-  KnownValues known;
-  ASSERT_TRUE(known.take(samples(1, {kMissing, 3})));
-  EXPECT_EQ(known.take(samples(2, {kMissing, 1, kMissing, kMissing})).error().what,
-            "row 3 has no known value");
-  KnownValues columns;
-  ASSERT_TRUE(columns.take(samples(2, {kMissing, 3, kMissing, 4})));
-  EXPECT_EQ(columns.means({}).error().what, "column 1 has no known value");
-  EXPECT_EQ(columns.means({"x", "y"}).error().what, "column 1 ('x') has no known value");
-}
-
 TEST(FilledWith, ReplacesMissingValuesOnly) {
   EXPECT_EQ(
       values_of(filled_with(std::vector<double>{0.1, 7}, samples(2, {kMissing, 2, 3, kMissing}))),

@@ -99,38 +99,75 @@ it("goes back through a training with its slider", async () => {
   await view.page.getByText("map: step 400 of 1000").waitFor();
 });
 
-it("shows what a transparent hand hides", async () => {
+const scene = () => view.page.locator(".scene");
+const drawn = async () => Number(await scene().getAttribute("data-drawn"));
+
+/** After the page's own timer of a resting picture, and what it then draws. */
+function rested(): Promise<unknown> {
+  return view.page.evaluate(
+    () => new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 400)),
+  );
+}
+
+/** The picture once nothing is drawn any more. */
+async function settled(): Promise<Buffer> {
+  let before = -1;
+  while (before !== (await drawn())) {
+    before = await drawn();
+    await rested();
+  }
+  return scene().screenshot();
+}
+
+async function openScene(): Promise<void> {
   await view.open();
   view.server.show(1, 50);
   await frameShown(view.page, 50);
-  const button = view.page.getByRole("button", { name: "See through" });
-  const scene = view.page.locator(".scene");
-  const drawn = async () => Number(await scene.getAttribute("data-drawn"));
   await soon(drawn).toBeGreaterThan(0);
+}
+
+it("shows what a transparent hand hides", async () => {
+  await openScene();
+  const button = view.page.getByRole("button", { name: "See through" });
   const picture = await settled();
   await button.click();
   expect(await button.getAttribute("aria-pressed")).toBe("true");
   await soon(async () => (await settled()).equals(picture)).toBe(false);
   await button.click();
   await soon(async () => (await settled()).equals(picture)).toBe(true);
+});
 
-  /** After the page's own timer of a resting picture, and what it then draws. */
-  function rested(): Promise<unknown> {
-    return view.page.evaluate(
-      () =>
-        new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 400)),
-    );
+it("turns, moves and zooms the scene by keys, mouse and wheel", async () => {
+  await openScene();
+  await scene().evaluate((element) => (element.style.outline = "none")); // of the focus
+  await scene().focus();
+  const press = (key: string) => view.page.keyboard.press(key);
+  const same = async (picture: Buffer) => (await settled()).equals(picture);
+  await press("0");
+  const front = await settled();
+  const box = (await scene().boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const drag = async () => {
+    await view.page.mouse.down();
+    await view.page.mouse.move(x + 60, y + 20, { steps: 4 });
+    await view.page.mouse.up();
+  };
+  const wheel = () => view.page.mouse.wheel(0, 100);
+  const moves = [drag, wheel, ...["ArrowUp", "Shift+ArrowRight", "+"].map((key) => () => press(key))];
+  const seen = [front];
+  for (const move of moves) {
+    await view.page.mouse.move(x, y);
+    await move();
+    await view.page.mouse.move(5, 5); // points at no sensor
+    await soon(() => same(front)).toBe(false);
+    seen.push(await settled());
+    await press("0");
+    await soon(() => same(front)).toBe(true);
   }
-
-  /** The picture once nothing is drawn any more. */
-  async function settled(): Promise<Buffer> {
-    let before = -1;
-    while (before !== (await drawn())) {
-      before = await drawn();
-      await rested();
-    }
-    return scene.screenshot();
-  }
+  expect(new Set(seen.map((picture) => picture.toString("base64"))).size).toBe(1 + moves.length);
+  for (let i = 0; i < 48; i += 1) await press("ArrowRight"); // a whole turn
+  for (const key of ["Shift+ArrowUp", "Shift+ArrowDown", "-", "+"]) await press(key);
+  await soon(() => same(front)).toBe(true);
 });
 
 describe("the strips", () => {

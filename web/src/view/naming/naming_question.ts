@@ -96,7 +96,7 @@ export class NamingQuestion {
   }
 }
 
-/** Of an exploration that is kept; the next one may have begun. */
+/** The identifier of an exploration that is kept; the next one may have begun. */
 function idOf(state: State, exploration: number | null): number | null {
   return state.explorations.find(({ index }) => index === exploration)?.id ?? null;
 }

@@ -1,33 +1,38 @@
-// Moves a camera around its target by mouse, touch and keys. z is up.
+// Moves a camera around its target by mouse, touch and keys, with the controls of three.js. z is up.
 
-import { MathUtils, type PerspectiveCamera, Spherical, Vector3 } from "three";
+import type { PerspectiveCamera } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 import type { Scene } from "../data";
 
-const kTurn = 0.008; // rad a pixel
-const kKeyTurn = MathUtils.degToRad(7.5);
+const kKeyTurns = 48; // presses of an arrow key for a whole turn
 const kKeyPan = 24; // pixels
 const kZoom = 1.12;
-const kUp = new Vector3(0, 0, 1);
+const kPolar = 0.02; // rad between the camera and the axis, at least
+const kNearest = 0.03; // m
+const kFarthest = 10;
 
 export class Orbit {
-  private readonly target = new Vector3();
-  private readonly place = new Spherical(0.5, 1, 0);
+  private readonly controls: OrbitControls;
+  private readonly keys = document.createElement("div"); // whose key events the controls take
   private start: Scene["camera"] | null = null;
-  private pointer: { id: number; x: number; y: number } | null = null;
 
   constructor(
     private readonly camera: PerspectiveCamera,
     private readonly host: HTMLElement,
-    private readonly changed: () => void,
+    changed: () => void,
   ) {
-    camera.up.copy(kUp);
-    host.addEventListener("pointerdown", (event) => this.press(event));
-    host.addEventListener("pointermove", (event) => this.drag(event));
-    host.addEventListener("pointerup", () => (this.pointer = null));
-    host.addEventListener("pointercancel", () => (this.pointer = null));
-    host.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-    host.addEventListener("contextmenu", (event) => event.preventDefault());
+    camera.up.set(0, 0, 1); // before the controls, which read it
+    this.controls = new OrbitControls(camera, host);
+    host.style.touchAction = ""; // as the style sheet has it: a narrow page scrolls
+    this.controls.minPolarAngle = kPolar;
+    this.controls.maxPolarAngle = Math.PI - kPolar;
+    this.controls.minDistance = kNearest;
+    this.controls.maxDistance = kFarthest;
+    this.controls.keyPanSpeed = kKeyPan;
+    this.controls.listenToKeyEvents(this.keys);
+    this.controls.addEventListener("change", changed);
+    host.addEventListener("wheel", () => (this.controls.enableZoom = this.takesWheel()), { capture: true });
     host.addEventListener("keydown", (event) => this.key(event));
   }
 
@@ -39,71 +44,31 @@ export class Orbit {
   }
 
   reset(): void {
-    if (this.start === null) return;
-    this.look(this.start);
+    if (this.start !== null) this.look(this.start);
   }
 
   /** Moves to another place. */
-  look(camera: Scene["camera"]): void {
-    this.target.set(...camera.target);
-    this.place.setFromVector3(upright(new Vector3(...camera.position).sub(this.target)));
-    this.apply();
+  look({ position, target }: Scene["camera"]): void {
+    this.camera.position.set(...position);
+    this.controls.target.set(...target);
+    this.controls.update();
   }
 
-  turn(azimuth: number, polar: number): void {
-    this.place.theta -= azimuth;
-    this.place.phi = MathUtils.clamp(this.place.phi - polar, 0.02, Math.PI - 0.02);
-    this.apply();
-  }
-
-  zoom(factor: number): void {
-    this.place.radius = MathUtils.clamp(this.place.radius * factor, 0.03, 10);
-    this.apply();
-  }
-
-  pan(x: number, y: number): void {
-    const scale = (this.place.radius * 1.2) / Math.max(1, this.host.clientHeight);
-    const right = new Vector3().setFromMatrixColumn(this.camera.matrix, 0);
-    const up = new Vector3().setFromMatrixColumn(this.camera.matrix, 1);
-    this.target.addScaledVector(right, -x * scale).addScaledVector(up, y * scale);
-    this.apply();
-  }
-
-  private apply(): void {
-    const away = new Vector3().setFromSpherical(this.place);
-    this.camera.position.set(away.z, away.x, away.y).add(this.target);
-    this.camera.lookAt(this.target);
-    this.camera.updateMatrix();
-    this.changed();
-  }
-
-  private press(event: PointerEvent): void {
-    this.host.setPointerCapture(event.pointerId);
-    this.pointer = { id: event.pointerId, x: event.clientX, y: event.clientY };
-  }
-
-  private drag(event: PointerEvent): void {
-    if (this.pointer?.id !== event.pointerId) return;
-    const x = event.clientX - this.pointer.x;
-    const y = event.clientY - this.pointer.y;
-    this.pointer = { id: event.pointerId, x: event.clientX, y: event.clientY };
-    if (event.shiftKey || (event.buttons & 2) !== 0) this.pan(x, y);
-    else this.turn(x * kTurn, y * kTurn);
+  private zoom(factor: number): void {
+    const { target } = this.controls;
+    this.camera.position.sub(target).multiplyScalar(factor).add(target);
+    this.controls.update();
   }
 
   /** On a scrolling page, the wheel scrolls until the pointer has entered the picture. */
-  private wheel(event: WheelEvent): void {
+  private takesWheel(): boolean {
     const scrolls = document.documentElement.scrollHeight > window.innerHeight;
-    if (scrolls && document.activeElement !== this.host) return;
-    event.preventDefault();
-    this.zoom(kZoom ** Math.sign(event.deltaY));
+    return !scrolls || document.activeElement === this.host;
   }
 
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const direction = kArrows[event.key];
-    if (direction !== undefined && event.shiftKey) this.pan(-direction[0] * kKeyPan, -direction[1] * kKeyPan);
-    else if (direction !== undefined) this.turn(direction[0] * kKeyTurn, direction[1] * kKeyTurn);
+    if (event.key.startsWith("Arrow")) this.arrow(event);
     else if (event.key === "+" || event.key === "=") this.zoom(1 / kZoom);
     else if (event.key === "-") this.zoom(kZoom);
     else if (event.key === "0") this.reset();
@@ -111,16 +76,10 @@ export class Orbit {
     event.preventDefault();
     event.stopPropagation();
   }
-}
 
-const kArrows: Record<string, [number, number] | undefined> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
-
-/** three.js's spherical coordinates have y up. */
-function upright(vector: Vector3): Vector3 {
-  return new Vector3(vector.y, vector.z, vector.x);
+  /** The controls move the camera by arrow keys and turn it with Shift: here it is the reverse. */
+  private arrow({ code, key, shiftKey }: KeyboardEvent): void {
+    this.controls.keyRotateSpeed = this.host.clientHeight / kKeyTurns;
+    this.keys.dispatchEvent(new KeyboardEvent("keydown", { code: code || key, shiftKey: !shiftKey }));
+  }
 }

@@ -1,4 +1,4 @@
-#include "recordings/ros/element_names.h"
+#include "recordings/ros/message_names.h"
 
 #include <fmt/format.h>
 
@@ -158,9 +158,9 @@ void add_to_key(FieldPlace place, std::string& key) {
   }
 }
 
-Result<ElementNames> ElementNames::compile(const std::shared_ptr<const RosType>& type,
+Result<MessageNames> MessageNames::compile(const std::shared_ptr<const RosType>& type,
                                            const std::string& names) {
-  ElementNames compiled;
+  MessageNames compiled;
   for (const std::string& path : split_outside_brackets(names, '+')) {
     SOMATO_TRY(FieldReader reader, FieldReader::compile(type, path, FieldKind::kTexts));
     compiled.texts_.push_back(std::move(reader));
@@ -168,7 +168,7 @@ Result<ElementNames> ElementNames::compile(const std::shared_ptr<const RosType>&
   return compiled;
 }
 
-Result<std::vector<std::string>> ElementNames::of(const std::vector<FieldReader>& paths,
+Result<std::vector<std::string>> MessageNames::of(const std::vector<FieldReader>& paths,
                                                   std::string_view message) const {
   std::vector<PlacedTexts> texts(texts_.size());
   for (std::size_t i = 0; i < texts_.size(); ++i) {
@@ -200,7 +200,7 @@ Result<std::vector<std::string>> ElementNames::of(const std::vector<FieldReader>
   return names;
 }
 
-Result<void> ElementNames::add_to_key(std::string_view message, std::string& key) const {
+Result<void> MessageNames::add_to_key(std::string_view message, std::string& key) const {
   TextKey sink(key);
   for (const FieldReader& texts : texts_) SOMATO_TRY_VOID(texts.read(message, sink));
   return {};

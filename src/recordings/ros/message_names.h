@@ -17,10 +17,10 @@ namespace somato {
 /// `sensors[1].name` names `sensors[1].values[0]` and the further ones, as `thumb[0]` and so on.
 /// Texts of several paths are joined by a slash, as interfaces of ros2_control are:
 /// `elbow/position`.
-class ElementNames {
+class MessageNames {
  public:
   /// `names` are paths of texts with `+` between. Errors: as FieldReader::compile().
-  static Result<ElementNames> compile(const std::shared_ptr<const RosType>& type,
+  static Result<MessageNames> compile(const std::shared_ptr<const RosType>& type,
                                       const std::string& names);
 
   /// The names of the values of each of `paths`, one path after the other; empty unless there is a
