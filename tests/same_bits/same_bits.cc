@@ -171,6 +171,19 @@ std::vector<SomParameters> kinds_of_training() {
   bubble.initial_weights = InitialWeights::kUniform;
   bubble.training = Training::kBatch;
   kinds.push_back(bubble);
+  // With the arithmetic of eigenvectors, and checks of the error.
+  SomParameters linear = bubble;
+  linear.initial_weights = InitialWeights::kLinear;
+  linear.tolerance = 1e-3;
+  linear.most_checks = 5;
+  for (const auto& [shape, name] : Choices<NeighbourhoodShape>::all()) {
+    linear.neighbourhood = shape;
+    linear.training =
+        shape == NeighbourhoodShape::kMexicanHat ? Training::kOnline : Training::kBatch;
+    linear.similarity =
+        shape == NeighbourhoodShape::kMexicanHat ? Similarity::kDotProduct : Similarity::kEuclidean;
+    if (shape != NeighbourhoodShape::kBubble) kinds.push_back(linear);
+  }
   return kinds;
 }
 
