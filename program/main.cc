@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
       som_quality_command(),     som_plot_command(),     completions_command(),
       emulate_command(),         device_check_command(), device_monitor_command(),
       device_calibrate_command()};
+  commands.push_back(som_predict_command());
   commands.push_back(reference_command(commands));
   if (is_completion_request(argc, argv)) return answer_completion_request(argc, argv, commands);
   return run_command_line(argc, argv, commands);

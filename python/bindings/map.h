@@ -56,6 +56,16 @@ class Map {
   /// The deviation of each column that is known; see SomModel::scales().
   const std::vector<double>& deviations() const;
 
+  /// The first column of a layer and their number; throws Failure if there is none of this name.
+  nanobind::tuple layer_columns(const std::string& layer) const;
+
+  /// The layer's columns predicted from the others: (rows, columns).
+  nanobind::object predict_layer(const SampleRows& rows, const std::string& layer,
+                                 std::size_t threads) const;
+
+  /// (name, columns, distance, weight, scale) of each layer.
+  nanobind::list layers() const;
+
   nanobind::object weights() const;
   nanobind::object u_matrix() const;
 
