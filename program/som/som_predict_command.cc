@@ -69,7 +69,8 @@ class LayerPrediction {
     for (std::size_t i = 0; i < predicted.rows(); ++i) {
       const auto row = predicted.row(i);
       text += fmt::format("{}", first + i + 1);
-      for (std::size_t d = 0; d < row.size(); ++d) text += fmt::format(",{:.9g}", in_units(d, row[d]));
+      for (std::size_t d = 0; d < row.size(); ++d)
+        text += fmt::format(",{:.9g}", in_units(d, row[d]));
       const auto greatest =
           static_cast<std::size_t>(std::max_element(row.begin(), row.end()) - row.begin());
       text += "," + csv_field(name_of(greatest)) + "\n";
@@ -115,9 +116,8 @@ class LayerPrediction {
       std::copy(middle, others.end(), to);
     }
     const Samples whole(std::move(rows));
-    return model_.prepare(missing_ == MissingFill::kMean
-                              ? filled_with(model_.fill_values(), whole)
-                              : whole);
+    return model_.prepare(missing_ == MissingFill::kMean ? filled_with(model_.fill_values(), whole)
+                                                         : whole);
   }
 
   std::string path_;

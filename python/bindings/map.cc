@@ -40,8 +40,8 @@ std::vector<Layer> layers_of(const nb::object& list) {
   for (const nb::handle item : list) {
     const auto name = nb::cast<std::string>(item[0]);
     const auto count = nb::cast<std::size_t>(item[1]);
-    const auto distance = choice_named<Similarity>("distance", nb::cast<std::string>(item[2]),
-                                                   "SOM(layers)");
+    const auto distance =
+        choice_named<Similarity>("distance", nb::cast<std::string>(item[2]), "SOM(layers)");
     Layer layer{name, first, count, value_or_throw(distance), nb::cast<double>(item[3]), {}};
     if (!nb::object(item[4]).is_none()) layer.scale = nb::cast<double>(item[4]);
     layers.push_back(std::move(layer));

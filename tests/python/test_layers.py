@@ -54,8 +54,8 @@ def scaled(data, layers):
     found, first = [], 0
     for count, distance, weight in ((*how, *("euclidean", 1.0)[len(how) - 1:])
                                     for how in layers.values()):
-        alone = data[:, first:first + count]
-        distances = layered_distances(alone, alone, [(count, distance, 1.0, 1.0)])
+        columns = data[:, first:first + count]
+        distances = layered_distances(columns, columns, [(count, distance, 1.0, 1.0)])
         found.append((count, distance, weight, distances[np.triu_indices(len(data), 1)].mean()))
         first += count
     return found

@@ -12,14 +12,14 @@ namespace {
 class Layers : public ProgramTest {
  protected:
   void SetUp() override {
-    write("rows.csv",
-          "a,b,low,high,note\n-2,-20,1,0,x\n-1,-10,1,0,x\n1,10,0,1,x\n2,20,0,1,x\n");
+    write("rows.csv", "a,b,low,high,note\n-2,-20,1,0,x\n-1,-10,1,0,x\n1,10,0,1,x\n2,20,0,1,x\n");
   }
 
   static Words training(const std::string& layers, const Words& more = {}) {
-    Words words{"som",      "train", "rows.csv", "--skip",     "note",    "--rows", "1",
-                "--columns", "4",    "--initial-weights", "samples", "--training", "batch",
-                "--epochs", "0",     "--layers", layers,       "-o",      "x.map"};
+    Words words{"som",      "train",      "rows.csv",  "--skip",   "note",
+                "--rows",   "1",          "--columns", "4",        "--initial-weights",
+                "samples",  "--training", "batch",     "--epochs", "0",
+                "--layers", layers,       "-o",        "x.map"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
