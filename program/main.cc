@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
                                 som_features_command(),
                                 som_export_command(),
                                 som_import_command(),
+                                som_predict_command(),
                                 completions_command(),
                                 emulate_command(),
                                 device_check_command(),

@@ -8,6 +8,7 @@
 #include "somato/files/npy.h"
 #include "somato/maps/clusters.h"
 #include "somato/maps/labels.h"
+#include "somato/maps/layers.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_features.h"
 #include "somato/maps/som_learner.h"

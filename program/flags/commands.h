@@ -26,6 +26,7 @@ Command device_calibrate_command();
 Command import_command();
 Command som_train_command();
 Command som_map_command();
+Command som_predict_command();
 Command som_quality_command();
 Command som_plot_command();
 Command som_cluster_command();

@@ -14,8 +14,10 @@
 #include "flags/memory_flag.h"
 #include "som/column_report.h"
 #include "som/data.h"
+#include "som/layer_flag.h"
 #include "som/map_and_rows.h"
 #include "som/processes.h"
+#include "somato/maps/layers.h"
 #include "somato/maps/som_training.h"
 #include "systems/model/complete_inputs.h"
 #include "terminal/terminal.h"
@@ -153,7 +155,9 @@ Result<Som> train_map(const TrainingRequest& request, const SomModel& model, con
     return train_som(request.parameters, prepared, options);
   }
   SamplesInMemory source(prepared);
-  return train_som(request.parameters, source, options);
+  const bool is_only = !options.processes;  // that has all samples
+  return train_som(is_only ? with_scales(request.parameters, prepared) : request.parameters, source,
+                   options);
 }
 
 Result<void> save_trained(const Arguments& arguments, const SomModel& model,
@@ -234,9 +238,10 @@ void add_offsets(SomModel& model, const std::vector<double>& offsets) {
 }
 
 Result<void> train_with(const Arguments& arguments, JoinedProcesses* processes) {
-  SOMATO_TRY(const auto request, agreed(read_request(arguments, processes), processes));
+  SOMATO_TRY(auto request, agreed(read_request(arguments, processes), processes));
   std::vector<double> offsets;
   SOMATO_TRY(auto rows, read_training_rows(arguments, processes, offsets));
+  SOMATO_TRY(request.parameters.layers, agreed(read_layers(arguments, rows), processes));
   SOMATO_TRY(auto model, agreed(start_on(arguments, request.parameters, rows), processes));
   std::uint64_t steps = 0;
   SOMATO_TRY(auto som, train_map(request, model, rows, steps));
@@ -268,6 +273,7 @@ Command som_train_command() {
   flags.push_back(output_flag("--checkpoint",
                               "File for the map after each epoch of batch training, from which the "
                               "same command continues after an interruption"));
+  flags.push_back(layers_flag());
   flags.push_back(threads_flag());
   flags.push_back(memory_flag());
   return {

@@ -19,6 +19,7 @@
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
+#include "somato/maps/layers.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
@@ -45,8 +46,28 @@ std::size_t rows_at_once(const Som& som) {
   return std::clamp(kProductsAtOnce / products_of_row, kLeastRowsAtOnce, kMostRowsAtOnce);
 }
 
-SomParameters checked_parameters(const nb::dict& values) {
-  const auto parameters = parameters_of<SomParameters>(values, kPlace);
+// From tuples of name, number of columns, distance, weight and scale.
+std::vector<Layer> layers_of(const nb::object& list) {
+  std::vector<Layer> layers;
+  std::size_t first = 0;
+  for (const nb::handle item : list) {
+    const auto name = nb::cast<std::string>(item[0]);
+    const auto count = nb::cast<std::size_t>(item[1]);
+    const auto distance =
+        choice_named<Similarity>("distance", nb::cast<std::string>(item[2]), "SOM(layers)");
+    Layer layer{name, first, count, value_or_throw(distance), nb::cast<double>(item[3]), {}};
+    if (!nb::object(item[4]).is_none()) layer.scale = nb::cast<double>(item[4]);
+    layers.push_back(std::move(layer));
+    first += count;
+  }
+  return layers;
+}
+
+SomParameters checked_parameters(const nb::dict& all_values) {
+  const nb::dict values = nb::borrow<nb::dict>(all_values.attr("copy")());
+  const nb::object layers = values.attr("pop")("layers", nb::make_tuple());
+  auto parameters = parameters_of<SomParameters>(values, kPlace);
+  parameters.layers = layers_of(layers);
   const SomParameters defaults;
   for (const auto& parameter : SomParameters::declarations().all()) {
     if (parameter.read(parameters) == parameter.read(defaults)) continue;
@@ -220,6 +241,39 @@ void Map::check_rows(const SampleRows& rows) const {
                       "X", "use the columns that the map was trained on"}};
 }
 
+nb::tuple Map::layer_columns(const std::string& layer) const {
+  const Layer found = value_or_throw(layer_named(model_.som.parameters(), layer));
+  return nb::make_tuple(found.first, found.count);
+}
+
+// Missing values of other layers are left out of the distance.
+nb::object Map::predict_layer(const SampleRows& rows, const std::string& name,
+                              std::size_t threads) const {
+  check_rows(rows);
+  const Layer layer = value_or_throw(layer_named(model_.som.parameters(), name));
+  std::vector<float> predicted(rows.count() * layer.count);
+  unlocked([&](Interrupts& interrupts) {
+    for_each_part(taking(rows), rows, interrupts, [&](Samples part, std::size_t first) {
+      const bool fills = rows.missing() == MissingFill::kMean;
+      if (!fills) part = taking(rows).prepare(rows.part(first, part.count()));
+      const Matrix<float> found = somato::predict_layer(model_.som, layer, part, threads);
+      std::copy(found.values().begin(), found.values().end(),
+                predicted.begin() + static_cast<std::ptrdiff_t>(first * layer.count));
+    });
+  });
+  const std::size_t shape[] = {rows.count(), layer.count};
+  return array_of(std::move(predicted), shape);
+}
+
+nb::list Map::layers() const {
+  nb::list layers;
+  for (const Layer& layer : model_.som.parameters().layers) {
+    layers.append(nb::make_tuple(layer.name, layer.count, choice_name(layer.similarity),
+                                 layer.weight, layer.scale.value_or(1.0)));
+  }
+  return layers;
+}
+
 Samples Map::inputs(const SampleRows& rows) const {
   check_rows(rows);
   Samples inputs = complete_inputs(taking(rows), rows.missing(), rows.all());
@@ -270,7 +324,7 @@ nb::object Map::labelled_winners(const SampleRows& rows, std::size_t threads) co
   return numbers_of(rows, [&](const Samples& part) { return reader.read(part).nearest; });
 }
 
-nb::object Map::positions(const SampleRows& rows) const {
+nb::object Map::plane_positions(const SampleRows& rows) const {
   check_rows(rows);
   std::vector<double> coordinates;
   coordinates.reserve(2 * rows.count());
@@ -401,9 +455,13 @@ void bind_map(nb::module_& module) {
       .def("activity", &Map::activity, nb::arg("rows"), nb::arg("threads"))
       .def("classes", &Map::classes, nb::arg("rows"), nb::arg("threads"))
       .def("labelled_winners", &Map::labelled_winners, nb::arg("rows"), nb::arg("threads"))
-      .def("positions", &Map::positions, nb::arg("rows"))
+      .def("plane_positions", &Map::plane_positions, nb::arg("rows"))
       .def("quality", &Map::quality, nb::arg("rows"), nb::arg("threads"))
       .def("distances", &Map::distances, nb::arg("rows"), nb::arg("threads"))
+      .def("layer_columns", &Map::layer_columns, nb::arg("layer"))
+      .def("predict_layer", &Map::predict_layer, nb::arg("rows"), nb::arg("layer"),
+           nb::arg("threads"))
+      .def_prop_ro("layers", &Map::layers)
       .def("weights", &Map::weights)
       .def("positions", &Map::positions)
       .def("u_matrix", &Map::u_matrix)

@@ -60,7 +60,7 @@ class Map {
   nanobind::tuple quality(const SampleRows& rows, std::size_t threads) const;
 
   /// The coordinates of rows in the plane of the map's principal components: float64 of (rows, 2).
-  nanobind::object positions(const SampleRows& rows) const;
+  nanobind::object plane_positions(const SampleRows& rows) const;
 
   /// All rows as inputs of the map.
   Samples inputs(const SampleRows& rows) const;
@@ -73,6 +73,16 @@ class Map {
 
   /// The distance of each row from each neuron; float64 of (rows, neurons).
   nanobind::object distances(const SampleRows& rows, std::size_t threads) const;
+
+  /// The first column of a layer and their number; throws Failure if there is none of this name.
+  nanobind::tuple layer_columns(const std::string& layer) const;
+
+  /// The layer's columns predicted from the others: (rows, columns).
+  nanobind::object predict_layer(const SampleRows& rows, const std::string& layer,
+                                 std::size_t threads) const;
+
+  /// (name, columns, distance, weight, scale) of each layer.
+  nanobind::list layers() const;
 
   nanobind::object weights() const;
 

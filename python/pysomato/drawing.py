@@ -143,7 +143,7 @@ class MapData:
 
     def _projected(self):
         """The positions of the samples, the names of the classes and the class of each; all classes or none."""
-        positions = np.zeros((0, 2)) if self.rows is None else self.map.positions(self.rows)
+        positions = np.zeros((0, 2)) if self.rows is None else self.map.plane_positions(self.rows)
         names, numbers = ([], np.zeros(0, np.int64))
         if self._has_labels() and self.rows is not None and (self.classes[1] >= 0).all():
             names, numbers = [str(name) for name in self.classes[0]], self.classes[1]

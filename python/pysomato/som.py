@@ -10,6 +10,7 @@ from . import _somato
 from ._analysis import MapAnalysis
 from ._foreign_maps import parts_of_minisom, weights_of
 from ._labels import labels_of, places_of, warn_of_doubtful
+from ._layers import layers_of, with_columns
 from ._numbers import number_of_threads, seed_of
 from ._progress import shown
 from ._rows import check_fitted, level_of_user, sample_rows_of
@@ -52,6 +53,11 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         threads: Threads that compute; None: as many as the machine runs at once. Does not affect
             results.
         verbose: Whether ``fit`` shows its progress on standard error: a bar of tqdm, or lines without it.
+        layers: Groups of neighbouring columns, each with a distance: a dictionary in the order of the
+            columns, such as ``{"shape": 3, "kind": (["a", "b"], "manhattan", 2.0)}``. A layer is its
+            number of columns or their names, and perhaps its distance, its weight, and the distance
+            that counts as 1, by default the mean distance of training samples. The distance of a map
+            with layers is the sum of theirs, each times weight and divided by scale.
 
     Attributes:
         map_: The trained map, which a notebook draws. Immutable.
@@ -76,7 +82,8 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
                  learning_rate_start=0.3, learning_rate_end=0.02, learning_rate_reached_at=None,
                  arithmetic="automatic", softmax="power", softmax_exponent=10.0,
                  activity_norm="maximum", random_state=1, seed=None, missing="refuse",
-                 extra_columns="refuse", unlabelled=None, threads=None, verbose=False):
+                 extra_columns="refuse", unlabelled=None, threads=None, verbose=False,
+                 layers=None):
         self.rows = rows
         self.columns = columns
         self.lattice = lattice
@@ -111,6 +118,7 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         self.unlabelled = unlabelled
         self.threads = threads
         self.verbose = verbose
+        self.layers = layers
 
     def fit(self, X, y=None) -> "SOM":
         """Trains a new map on the rows of X.
@@ -236,6 +244,25 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         X = self._checked(X)
         self._check_labelled("classify")
         return self.classes_[self.map_.classes(X, self._threads())]
+
+    def predict_layer(self, X, layer) -> np.ndarray:
+        """The columns of a layer from those of the others; float32 of (samples, columns).
+
+        The winner of a row is the neuron at the least distance by the other layers, and its weights
+        for the layer are the prediction. The greatest of one-hot columns names the class.
+
+        Args:
+            X: Rows with all columns, of which those of the layer do not matter, or without these.
+            layer: The name of the layer.
+
+        Raises:
+            UsageError: The map has no such layer.
+        """
+        check_fitted(self, "map_")
+        first, count = self.map_.layer_columns(layer)
+        X = self._checked(with_columns(X, first, count, self.n_features_in_,
+                                       getattr(self, "feature_names_in_", None)))
+        return self.map_.predict_layer(X, layer, self._threads())
 
     def score(self, X, y=None) -> float:
         """The share of rows that ``classify`` names right, or without labels the negative
@@ -459,6 +486,7 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         """The estimator of a map of the library."""
         parameters = trained.parameters
         som = cls(random_state=parameters.pop("seed"), **parameters)
+        som.layers = {name: tuple(how) for name, *how in trained.layers} or None
         som.map_ = trained
         som.n_features_in_ = trained.input_size
         if trained.features:
@@ -509,6 +537,10 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
     def _map_parameters(self):
         values = {name: value for name, value in self.get_params(deep=False).items()
                   if name not in _NOT_OF_MAP}
+        if self.layers is None:
+            values.pop("layers")
+        else:
+            values["layers"] = layers_of(self.layers, getattr(self, "feature_names_in_", None))
         return {**values, "seed": seed_of(self.random_state, self.seed, type(self).__name__)}
 
     def _threads(self):

@@ -15,10 +15,10 @@ namespace somato {
 //
 //     d(x, w) = sum over layers l of weight_l d_l(x_l, w_l) / scale_l
 //
-// with the distance d_l of the layer's similarity over its elements. Everything else is as for other
-// maps: the distance chooses winners, and weights learn as one vector. The super-organized maps of
-// Wehrens and Buydens, "Self- and super-organizing maps in R: the kohonen package", Journal of
-// Statistical Software 21(5), 2007, which also describes maps of classes (XYF).
+// with the distance d_l of the layer's similarity over its elements. Everything else is as for
+// other maps: the distance chooses winners, and weights learn as one vector. The super-organized
+// maps of Wehrens and Buydens, "Self- and super-organizing maps in R: the kohonen package", Journal
+// of Statistical Software 21(5), 2007, which also describes maps of classes (XYF).
 
 /// weight / scale; the scale counts as 1 until it is known.
 double factor_of(const Layer& layer);

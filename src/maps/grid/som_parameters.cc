@@ -231,8 +231,7 @@ Result<void> check_given_side(const SomParameters& parameters) {
 }
 
 Result<void> check_arithmetic(const SomParameters& parameters) {
-  if (parameters.arithmetic != Arithmetic::kInnerProducts ||
-      follows_from_products(parameters)) {
+  if (parameters.arithmetic != Arithmetic::kInnerProducts || follows_from_products(parameters)) {
     return {};
   }
   return fail(ErrorKind::kUsage,

@@ -15,7 +15,8 @@ WinnerSearch::WinnerSearch(const Som& som, std::size_t threads) : som_(som), map
 bool WinnerSearch::pays(const Som& som, const Samples& samples) {
   constexpr std::size_t kFewNeurons = 32;
   constexpr std::size_t kFewSamples = 64;
-  return follows_from_products(som.parameters()) && !samples.is_sparse() && samples.count() >= kFewSamples && som.neurons() >= kFewNeurons;
+  return follows_from_products(som.parameters()) && !samples.is_sparse() &&
+         samples.count() >= kFewSamples && som.neurons() >= kFewNeurons;
 }
 
 std::vector<Winners> WinnerSearch::find_all(const Som& som, const Samples& seen, bool two,

@@ -77,8 +77,8 @@ void KnownScores::write_similarity(Similarity similarity, const std::vector<Know
     float* const to = runs.size() > 1 ? of_run.data() : out;
     SimilarityScores(similarity, columns, rows).write({&input, 1}, {&to, 1});
     for (std::size_t row = 0; runs.size() > 1 && row < rows; ++row) {
-      out[row] = similarity == Similarity::kChebyshev ? std::max(out[row], to[row])
-                                                      : out[row] + to[row];
+      out[row] =
+          similarity == Similarity::kChebyshev ? std::max(out[row], to[row]) : out[row] + to[row];
     }
   }
 }
@@ -103,7 +103,7 @@ std::vector<KnownRun> KnownScores::runs_of(const Layer& layer) const {
   return runs;
 }
 
-// Of sums of positive terms, and of sums of these; see score_margin().
+// Rounding changes sums of positive terms, and sums of these, as in score_margin().
 double KnownScores::margin(double least) const {
   if (!parameters_.layers.empty()) return layered_margin(parameters_, least, true);
   std::size_t known = 0;
@@ -131,8 +131,7 @@ double KnownScores::exact(std::span<const float> weights) const {
   if (parameters_.layers.empty()) {
     append_known(input_, runs_, of_input);
     append_known(weights, runs_, of_weights);
-    return exact_score(parameters_.similarity, of_weights.data(), of_input.data(),
-                       of_input.size());
+    return exact_score(parameters_.similarity, of_weights.data(), of_input.data(), of_input.size());
   }
   double sum = 0.0;
   for (const Layer& layer : parameters_.layers) {

@@ -20,9 +20,9 @@ struct KnownRun {
 std::vector<KnownRun> known_runs(std::span<const float> input);
 
 /// Scores of neurons by the known elements of an input: as SimilarityScores writes them, squared
-/// distances by a Euclidean map, and the distance of layers.h by a map with layers, in which a layer
-/// without a known element does not count. Only for distances that are sums or maxima over elements,
-/// unless all elements of the map or layer are known, or none of the layer.
+/// distances by a Euclidean map, and the distance of layers.h by a map with layers, in which a
+/// layer without a known element does not count. Only for distances that are sums or maxima over
+/// elements, unless all elements of the map or layer are known, or none of the layer.
 class KnownScores {
  public:
   /// Refers to all of them.

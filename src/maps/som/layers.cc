@@ -103,10 +103,10 @@ Result<void> check_scales(const SomParameters& parameters) {
           "give its scale");
     }
     if (*layer.scale > 0.0) continue;
-    return fail(ErrorKind::kData,
-                fmt::format("all samples are alike in layer '{}', which leaves its scale open",
-                            layer.name),
-                "layers", "leave the layer out, or give its scale");
+    return fail(
+        ErrorKind::kData,
+        fmt::format("all samples are alike in layer '{}', which leaves its scale open", layer.name),
+        "layers", "leave the layer out, or give its scale");
   }
   return {};
 }
@@ -143,8 +143,7 @@ Matrix<float> predict_layer(const Som& som, const Layer& layer, const Samples& s
     std::fill_n(rows.row(i).begin() + static_cast<std::ptrdiff_t>(layer.first), layer.count,
                 std::numeric_limits<float>::quiet_NaN());
   }
-  const std::vector<std::size_t> winners =
-      winners_by_known(som, Samples(std::move(rows)), threads);
+  const std::vector<std::size_t> winners = winners_by_known(som, Samples(std::move(rows)), threads);
   Matrix<float> predicted(winners.size(), layer.count);
   for (std::size_t i = 0; i < winners.size(); ++i) {
     for (std::size_t d = 0; d < layer.count; ++d) {

@@ -46,7 +46,8 @@ std::uint64_t most_epochs(const SomParameters& parameters) {
 std::string training_identity(const SomParameters& parameters, const SampleSurvey& survey) {
   const std::uint64_t ranges = fnv1a64(bytes_of(survey.high), fnv1a64(bytes_of(survey.low)));
   return fmt::format("{}{}samples = {}\nfeatures = {}\nranges = {:016x}\n",
-                     parameters_to_toml(parameters), layers_to_toml(parameters.layers), survey.count, survey.low.size(), ranges);
+                     parameters_to_toml(parameters), layers_to_toml(parameters.layers),
+                     survey.count, survey.low.size(), ranges);
 }
 
 Result<void> save_checkpoint(const std::string& path, const std::string& identity,

@@ -14,7 +14,7 @@
 namespace somato {
 namespace {
 
-// What a kernel sums or maximizes over columns, and how.
+// A kernel, the term that it takes of each column, and whether it takes their sum or maximum.
 struct Distance {
   void (*kernels::DistanceTable::*kernel)(kernels::Lanes<const float>, const float* const*,
                                           std::size_t, float* const*);

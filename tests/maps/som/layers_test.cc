@@ -72,8 +72,7 @@ double layered(const std::vector<Layer>& layers, std::span<const float> x, std::
   return total;
 }
 
-Som layered_map(const std::vector<Layer>& layers, const Matrix<float>& weights,
-                std::size_t rows) {
+Som layered_map(const std::vector<Layer>& layers, const Matrix<float>& weights, std::size_t rows) {
   SomParameters p;
   p.rows = rows;
   p.columns = weights.rows() / rows;
