@@ -87,7 +87,7 @@ class MapClusters:
 
 
 class MapAnalysis:
-    """The methods of estimators of maps that analyse a trained map."""
+    """The methods of ``SOM`` and its subclasses that analyse a trained map."""
 
     def measures(self, X, y=None, *, measures="all", neighbours=5, ranked_samples=2000, shuffles=0,
                  seed=1) -> MapMeasures:
