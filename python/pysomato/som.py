@@ -7,13 +7,13 @@ import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
 
 from . import _somato
-from ._analysis import MapAnalysis
 from ._foreign_maps import parts_of_minisom, weights_of
 from ._labels import labels_of, places_of, warn_of_doubtful
 from ._layers import layers_of, with_columns
 from ._numbers import number_of_threads, seed_of
 from ._progress import shown
 from ._rows import check_fitted, level_of_user, sample_rows_of
+from .analysis import MapAnalysis
 from .drawing import Drawing, Look, MapData
 from .errors import DataError, LabelWarning, LeftOutWarning, UsageError
 

@@ -95,6 +95,26 @@ def test_clusters_have_names(X, labels):
     assert SOM(3, 3, iterations=50).fit(X).clusters().names is None
 
 
+@pytest.mark.parametrize("lattice", ["rectangular", "hexagonal"])
+def test_outlines_enclose_the_cells_of_clusters(X, lattice):
+    """The areas within the lines, holes subtracted, are those of the cells."""
+    pytest.importorskip("pandas")
+    som = SOM(6, 7, lattice=lattice, iterations=500).fit(X)
+    cell = som.map_.cells()[0]
+    for clusters in (som.clusters(count=6), som.clusters("watershed"), som.clusters(count=1)):
+        for cluster, lines in enumerate(clusters.outlines):
+            areas = [area_within(line) for line in lines]
+            assert all((line[0] == line[-1]).all() for line in lines)
+            assert sum(areas) == pytest.approx(np.sum(clusters.labels == cluster) * area_within(cell), rel=1e-6)
+            assert sum(area * areas[0] > 0 for area in areas) >= 1
+    assert len(som.clusters(count=1).outlines[0]) == 1
+
+
+def area_within(line):
+    x, y = np.asarray(line, np.float64).T
+    return 0.5 * np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))
+
+
 def test_what_is_wrong_is_said(X, tmp_path):
     som = SOM(3, 3, iterations=50).fit(X)
     for wrong in ({"count": 0}, {"count": 10}, {"method": "other"}, {"index": "gap"}, {"most_clusters": 1},

@@ -20,16 +20,10 @@ struct ScaledPlanes {
   std::vector<std::size_t> constant;
 };
 
-// Whether all values are equal up to the rounding of training in single precision.
-bool is_constant(const std::vector<double>& plane) {
-  constexpr double kRounding = 1.0 / (1 << 20);  // a few units in the last place
-  const auto [low, high] = std::minmax_element(plane.begin(), plane.end());
-  return *high - *low <= kRounding * std::max(std::abs(*low), std::abs(*high));
-}
-
 // Scales to mean 0 and length 1; returns false for a constant plane.
 bool scale_plane(std::vector<double>& plane) {
-  if (is_constant(plane)) return false;
+  const auto [low, high] = std::minmax_element(plane.begin(), plane.end());
+  if (!differ(*low, *high)) return false;
   double mean = 0.0;
   for (const double value : plane) mean += value / static_cast<double>(plane.size());
   double squares = 0.0;
