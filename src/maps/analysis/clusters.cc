@@ -100,12 +100,12 @@ std::vector<ClusterMerge> merges_of_neurons(const std::vector<ClusterMerge>& mer
   for (std::size_t neuron = 0; neuron < neurons; ++neuron) {
     const std::size_t point = counted.point_of_neuron[neuron];
     if (counted.neurons[point] == neuron) continue;
-    const auto [low, high] = std::minmax(neuron, number[point]);
+    const auto [low, high] = std::minmax({neuron, number[point]});
     all.push_back({low, high, 0.0, ++size[point]});
     number[point] = neurons + all.size() - 1;
   }
   for (const ClusterMerge& merge : merges) {
-    const auto [low, high] = std::minmax(number[merge.first], number[merge.second]);
+    const auto [low, high] = std::minmax({number[merge.first], number[merge.second]});
     size.push_back(size[merge.first] + size[merge.second]);
     number.push_back(neurons + all.size());
     all.push_back({low, high, merge.height, size.back()});

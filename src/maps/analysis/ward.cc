@@ -63,7 +63,7 @@ class MergedPoints {
   ClusterMerge merge(const PointMerge& of, std::size_t number) {
     const std::size_t a = root(of.a);
     const std::size_t b = root(of.b);
-    const auto [low, high] = std::minmax(number_[a], number_[b]);
+    const auto [low, high] = std::minmax({number_[a], number_[b]});
     const ClusterMerge merged{low, high, of.height, size_[a] + size_[b]};
     parent_[a] = b;
     number_[b] = number;

@@ -149,9 +149,9 @@ std::vector<Eigen> within(const std::vector<Vector>& block, const std::vector<Ve
   }
   // A handful, in a tie in their order.
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto greatest = std::max_element(
-        all.begin() + static_cast<std::ptrdiff_t>(i), all.end(),
-        [](const Eigen& a, const Eigen& b) { return a.value < b.value; });
+    const auto greatest =
+        std::max_element(all.begin() + static_cast<std::ptrdiff_t>(i), all.end(),
+                         [](const Eigen& a, const Eigen& b) { return a.value < b.value; });
     std::swap(all[i], *greatest);
   }
   return all;
@@ -160,8 +160,8 @@ std::vector<Eigen> within(const std::vector<Vector>& block, const std::vector<Ve
 double changed(const std::vector<Eigen>& eigen, const std::vector<Eigen>& before) {
   double change = before.empty() ? 1.0 : 0.0;
   for (std::size_t i = 0; i < std::min<std::size_t>(before.size(), 2); ++i) {
-    change = std::max(change, std::fabs(eigen[i].value - before[i].value) /
-                                  std::max(eigen[0].value, 1e-300));
+    change = std::max(
+        change, std::fabs(eigen[i].value - before[i].value) / std::max(eigen[0].value, 1e-300));
   }
   return change;
 }
@@ -185,9 +185,8 @@ std::vector<Eigen> greatest_of(const Centred& rows, std::size_t size) {
 }
 
 void set_sign(Vector& vector) {
-  const auto greatest =
-      std::max_element(vector.begin(), vector.end(),
-                       [](double a, double b) { return std::fabs(a) < std::fabs(b); });
+  const auto greatest = std::max_element(
+      vector.begin(), vector.end(), [](double a, double b) { return std::fabs(a) < std::fabs(b); });
   if (greatest == vector.end() || *greatest >= 0) return;
   for (double& value : vector) value = -value;
 }
