@@ -19,7 +19,7 @@
 namespace somato::program {
 namespace {
 
-// What a panel needs beside the map.
+// The data that a panel needs beside the map.
 enum class Need { kNothing, kData, kLabels, kNames, kClusters };
 
 struct KnownPanel {
@@ -94,7 +94,7 @@ Result<void> check_needs(const Arguments& arguments, const std::vector<std::stri
   return {};
 }
 
-// Flags that change a panel, with the panels that they change.
+// The flags that change a panel, with their panels.
 Result<void> check_effects(const Arguments& arguments, const PlotChoice& choice) {
   const std::pair<std::string, std::string> effects[] = {{"component-order", "components"},
                                                          {"component-scale", "components"},
@@ -133,7 +133,7 @@ Result<std::pair<std::size_t, std::size_t>> row_range(const std::string& text) {
               "--trajectory", "use FIRST..LAST with numbers from 1, such as 13..24");
 }
 
-// What the rows contribute to panels.
+// The contribution of the rows to panels.
 struct ReadRows {
   std::vector<std::size_t> hits;
   std::vector<std::size_t> winners;

@@ -281,7 +281,7 @@ def test_axes_show_every_panel(som, X, labels, axes):
         if panel == "components":
             continue
         axes.clear()
-        drawn = som.plot(panel, X, labels, ax=axes, clusters="ward:3", trajectory=range(10) if panel == "trajectory" else None)
+        drawn = som.plot(panel, X, labels, ax=axes, clusters="ward:3", trajectory=range(10))
         assert drawn.get_title()
         drawn.figure.canvas.draw()
     wedges = som.plot("pies", X, labels).patches

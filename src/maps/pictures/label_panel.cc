@@ -203,7 +203,7 @@ void check(const LabelPanel& panel) {
   check_clusters(panel.grid, panel.clusters);
 }
 
-// What the marks mean.
+// The meaning of the marks.
 std::string explanation_of(const LabelPanel& panel, const Cells& cells) {
   const std::vector<Won> won = won_by_neuron(panel);
   if (panel.marks == LabelMarks::kText) return "";
