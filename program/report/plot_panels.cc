@@ -310,9 +310,8 @@ std::vector<Flag> plot_panel_flags() {
 
 Result<PlotChoice> read_plot_choice(const Arguments& arguments) {
   PlotChoice choice;
-  choice.is_named = arguments.has("panels");
   choice.panels = names_of(true);
-  if (choice.is_named) {
+  if (arguments.has("panels")) {
     SOMATO_TRY(choice.panels, named_panels(arguments.text("panels")));
     SOMATO_TRY_VOID(check_needs(arguments, choice.panels));
   }
