@@ -96,7 +96,7 @@ TEST(TrajectoryPanel, OneNeuronAndManySamplesAreDrawn) {
   std::vector<std::size_t> winners;
   for (std::size_t i = 0; i < kMostTrajectorySamples; ++i) winners.push_back(i % 2);
   EXPECT_NO_THROW(draw(over(grid_of(1, 2), winners)));
-  EXPECT_NO_THROW(draw(over(grid_of(200, 200), winners)));
+  EXPECT_NO_THROW(draw(over(grid_of(40, 40), winners)));
   winners.push_back(0);
   EXPECT_THROW(draw(over(grid_of(1, 2), winners)), InvalidArgument);
 }
