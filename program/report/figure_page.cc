@@ -17,9 +17,6 @@ using SortedJson = nlohmann::json;
 constexpr std::size_t kWidth = 1280;
 constexpr std::size_t kHeight = 800;
 
-// mm, by which the paper is larger than a picture that it must contain as a whole.
-constexpr double kAroundPicture = 1.0;
-
 ListedFigure listed(const SortedJson& one) {
   return {one.at("name"), one.at("title"), one.at("endings").get<std::vector<std::string>>()};
 }

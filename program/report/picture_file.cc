@@ -10,14 +10,13 @@
 
 #include "base/files/scratch_folder.h"
 #include "base/files/whole_file.h"
-#include "terminal/headless_browser.h"
 #include "report/pdf_box.h"
+#include "terminal/headless_browser.h"
 
 namespace somato::program {
 namespace {
 
-constexpr double kUnit = 25.4 / 96;     // mm
-constexpr double kAroundPicture = 1.0;  // mm, by which the paper is larger
+constexpr double kUnit = 25.4 / 96;  // mm
 constexpr std::size_t kPixelsPerUnit = 2;
 
 std::string ending_of_file(const std::string& path) {
@@ -55,15 +54,16 @@ Result<std::string> drawn(const std::string& svg, bool is_pdf) {
   SOMATO_TRY(auto folder, ScratchFolder::create());
   const std::string path = folder.path() + "/picture.html";
   SOMATO_TRY_VOID(save_whole(path, page_of(svg, size, scale)));
-  SOMATO_TRY(auto browser, HeadlessBrowser::open(file_address(path), pixels(size.width),
-                                                 pixels(size.height)));
+  SOMATO_TRY(auto browser,
+             HeadlessBrowser::open(file_address(path), pixels(size.width), pixels(size.height)));
   SOMATO_TRY_VOID(browser.wait_until(
       "location.protocol === \"file:\" && document.readyState === \"complete\""));
   if (!is_pdf) return browser.settled_picture();
   const double width = size.width * kUnit;
   const double height = size.height * kUnit;
-  return browser.printed(width + kAroundPicture, height + kAroundPicture)
-      .map([&](std::string pdf) { return cut_page(std::move(pdf), width, height); });
+  return browser.printed(width + kAroundPicture, height + kAroundPicture).map([&](std::string pdf) {
+    return cut_page(std::move(pdf), width, height);
+  });
 }
 
 }  // namespace

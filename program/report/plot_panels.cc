@@ -19,7 +19,7 @@
 namespace somato::program {
 namespace {
 
-// What a panel needs beside the map.
+// The data that a panel needs beside the map.
 enum class Need { kNothing, kData, kLabels, kNames, kClusters };
 
 struct KnownPanel {
@@ -29,17 +29,13 @@ struct KnownPanel {
 };
 
 const std::vector<KnownPanel>& known_panels() {
-  static const std::vector<KnownPanel> panels{{"u_matrix", Need::kNothing, true},
-                                              {"u_matrix_edges"},
-                                              {"hits", Need::kData, true},
-                                              {"labels", Need::kLabels, true},
-                                              {"label_text", Need::kNames},
-                                              {"pies", Need::kLabels},
-                                              {"components", Need::kNothing, true},
-                                              {"clusters", Need::kClusters},
-                                              {"dendrogram", Need::kClusters},
-                                              {"projection"},
-                                              {"trajectory", Need::kData}};
+  static const std::vector<KnownPanel> panels{
+      {"u_matrix", Need::kNothing, true},   {"u_matrix_edges"},
+      {"hits", Need::kData, true},          {"labels", Need::kLabels, true},
+      {"label_text", Need::kNames},         {"pies", Need::kLabels},
+      {"components", Need::kNothing, true}, {"clusters", Need::kClusters},
+      {"dendrogram", Need::kClusters},      {"projection"},
+      {"trajectory", Need::kData}};
   return panels;
 }
 
@@ -53,9 +49,9 @@ std::vector<std::string> names_of(bool only_usual) {
 
 Need need_of(const std::string& name) {
   const auto& panels = known_panels();
-  return std::find_if(panels.begin(), panels.end(), [&](const KnownPanel& panel) {
-           return panel.name == name;
-         })->need;
+  return std::find_if(panels.begin(), panels.end(),
+                      [&](const KnownPanel& panel) { return panel.name == name; })
+      ->need;
 }
 
 Result<std::vector<std::string>> named_panels(const std::string& text) {
@@ -98,7 +94,7 @@ Result<void> check_needs(const Arguments& arguments, const std::vector<std::stri
   return {};
 }
 
-// Flags that change a panel, with the panels that they change.
+// The flags that change a panel, with their panels.
 Result<void> check_effects(const Arguments& arguments, const PlotChoice& choice) {
   const std::pair<std::string, std::string> effects[] = {{"component-order", "components"},
                                                          {"component-scale", "components"},
@@ -118,7 +114,7 @@ Result<Enum> choice_of(const Arguments& arguments, const std::string& flag, Enum
   return choice_named<Enum>("choice", arguments.text(flag), "--" + flag);
 }
 
-std::optional<std::size_t> whole_number(std::string_view text) {
+std::optional<std::size_t> row_number(std::string_view text) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -129,15 +125,15 @@ std::optional<std::size_t> whole_number(std::string_view text) {
 Result<std::pair<std::size_t, std::size_t>> row_range(const std::string& text) {
   const std::size_t dots = text.find("..");
   if (dots != std::string::npos) {
-    const auto first = whole_number(std::string_view(text).substr(0, dots));
-    const auto last = whole_number(std::string_view(text).substr(dots + 2));
+    const auto first = row_number(std::string_view(text).substr(0, dots));
+    const auto last = row_number(std::string_view(text).substr(dots + 2));
     if (first && last && *first >= 1 && *first <= *last) return std::pair(*first, *last);
   }
   return fail(ErrorKind::kUsage, fmt::format("{} is not a range of rows", shown(text)),
               "--trajectory", "use FIRST..LAST with numbers from 1, such as 13..24");
 }
 
-// What the rows contribute to panels.
+// The contribution of the rows to panels.
 struct ReadRows {
   std::vector<std::size_t> hits;
   std::vector<std::size_t> winners;
@@ -273,10 +269,10 @@ class PanelMaker {
                   fmt::format("choose up to {} rows, such as 1..24", kMostTrajectorySamples));
     }
     const auto begin = rows_.winners.begin();
-    panels_.emplace_back(
-        trajectory_panel(som_, {begin + static_cast<std::ptrdiff_t>(first - 1),
-                                begin + static_cast<std::ptrdiff_t>(last)},
-                         first));
+    panels_.emplace_back(trajectory_panel(
+        som_,
+        {begin + static_cast<std::ptrdiff_t>(first - 1), begin + static_cast<std::ptrdiff_t>(last)},
+        first));
     return {};
   }
 
@@ -314,9 +310,8 @@ std::vector<Flag> plot_panel_flags() {
 
 Result<PlotChoice> read_plot_choice(const Arguments& arguments) {
   PlotChoice choice;
-  choice.is_named = arguments.has("panels");
   choice.panels = names_of(true);
-  if (choice.is_named) {
+  if (arguments.has("panels")) {
     SOMATO_TRY(choice.panels, named_panels(arguments.text("panels")));
     SOMATO_TRY_VOID(check_needs(arguments, choice.panels));
   }

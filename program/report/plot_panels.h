@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "flags/command_line.h"
@@ -14,7 +15,6 @@ namespace somato::program {
 /// The panels that `som plot` draws, and how.
 struct PlotChoice {
   std::vector<std::string> panels;  ///< In the order in which they are drawn.
-  bool is_named = false;            ///< Whether the command line names the panels.
   std::size_t components = 12;
   PlaneSorting sorting = PlaneSorting::kColumns;
   PlaneScale scale = PlaneScale::kOwn;

@@ -10,14 +10,14 @@
 #include "flags/memory_flag.h"
 #include "flags/neuron_flag.h"
 #include "maps/pictures/map_panels.h"
-#include "views/skins/weights_picture.h"
+#include "report/picture_file.h"
+#include "report/plot_panels.h"
 #include "som/column_report.h"
 #include "som/data.h"
 #include "som/map_and_rows.h"
-#include "report/plot_panels.h"
 #include "som/processes.h"
 #include "somato/drawing/map_picture.h"
-#include "report/picture_file.h"
+#include "views/skins/weights_picture.h"
 
 namespace somato::program {
 namespace {
@@ -102,14 +102,16 @@ Command som_plot_command() {
                    "With --layout: the only neuron to draw, as ROW,COLUMN from 1, or its number in "
                    "a map that grows"});
   flags.push_back(memory_flag());
-  return {"som plot",
-          "Draw a map: U-matrix, hits, classes, component planes, clusters, trajectories and more, or "
-          "its weights on a skin",
-          {{"MAP", "A trained map", true},
-           data_positional("NPY file or text, as for training, for hits, classes and trajectories", false)},
-          std::move(flags),
-          {},
-          plot};
+  return {
+      "som plot",
+      "Draw a map: U-matrix, hits, classes, component planes, clusters, trajectories and more, or "
+      "its weights on a skin",
+      {{"MAP", "A trained map", true},
+       data_positional("NPY file or text, as for training, for hits, classes and trajectories",
+                       false)},
+      std::move(flags),
+      {},
+      plot};
 }
 
 }  // namespace somato::program

@@ -8,17 +8,17 @@
 #include "bindings.h"
 #include "errors.h"
 #include "map.h"
-#include "views/skins/layout_file.h"
 #include "maps/pictures/expanded_grid.h"
 #include "maps/pictures/map_panels.h"
 #include "maps/pictures/outlines.h"
 #include "maps/reading/weight_plane.h"
-#include "views/skins/skin_picture.h"
-#include "views/skins/weights_picture.h"
 #include "nanobind/stl/optional.h"
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "somato/maps/som_quality.h"
+#include "views/skins/layout_file.h"
+#include "views/skins/skin_picture.h"
+#include "views/skins/weights_picture.h"
 
 namespace somato::python {
 namespace {
@@ -65,7 +65,8 @@ class MapPicture {
   void add_components(std::size_t most, const std::string& order, const std::string& scale) {
     const auto sorting =
         value_or_throw(choice_named<PlaneSorting>("order", order, "component_order"));
-    const auto colours = value_or_throw(choice_named<PlaneScale>("scale", scale, "component_scale"));
+    const auto colours =
+        value_or_throw(choice_named<PlaneScale>("scale", scale, "component_scale"));
     for (Panel& panel : component_panels(model_.som, model_.features, most, sorting, colours)) {
       panels_.push_back(std::move(panel));
     }
@@ -297,7 +298,7 @@ void bind_pictures(nb::module_& module) {
       .def("svg", &MapPicture::svg, nb::arg("title"));
   module.def("component_plane", &plane, nb::arg("map"), nb::arg("element"));
   module.attr("most_trajectory_samples") = kMostTrajectorySamples;
-  module.def("clusters", &clusters_of, nb::arg("map"), nb::arg("method"));
+  module.def("clusters_by_name", &clusters_of, nb::arg("map"), nb::arg("method"));
   module.def("edge_cells", &edge_cells, nb::arg("map"));
   module.def("outlines", &outlines_of, nb::arg("map"), nb::arg("clusters").noconvert());
   module.def("projection", &projection, nb::arg("map"));

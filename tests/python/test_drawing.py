@@ -48,6 +48,68 @@ def test_a_panel_is_that_of_the_program(somato, som, files, panel):
     assert som.draw(panel, title="map.somato", components=3).svg == expected
 
 
+@pytest.mark.parametrize("panel, flags, look", [
+    ("u_matrix_edges", [], {}),
+    ("pies", [], {}),
+    ("pies", ["--size-by-hits"], {"size_by_hits": True}),
+    ("label_text", [], {}),
+    ("components", ["--component-order", "likeness", "--component-scale", "common"],
+     {"component_order": "likeness", "component_scale": "common"}),
+    ("clusters", ["--clusters", "ward:3"], {"clusters": "ward:3"}),
+    ("dendrogram", [], {}),
+    ("projection", ["--clusters", "k_means:2"], {"clusters": "k_means:2"}),
+    ("trajectory", ["--trajectory", "3..12"], {"trajectory": range(2, 12)}),
+    ("hits", ["--clusters", "watershed"], {"clusters": "watershed"}),
+])
+def test_a_panel_of_any_kind_is_that_of_the_program(somato, som, files, X, labels, panel, flags, look):
+    expected = plot_of_program(somato, files, "--panels", panel, *flags)
+    assert som.draw(panel, X, labels, title="map.somato", **look).svg == expected
+
+
+def test_panels_are_drawn_in_the_order_in_which_they_are_named(somato, som, files):
+    expected = plot_of_program(somato, files, "--panels", "hits,u_matrix")
+    assert som.draw(["hits", "u_matrix"], title="map.somato").svg == expected
+    assert expected.index(">Hits<") < expected.index(">U-matrix<")
+
+
+def test_clusters_of_any_origin_are_outlined(som):
+    plain = som.draw("u_matrix").svg
+    halves = np.arange(12) // 6
+    outlined = som.draw("u_matrix", clusters=halves).svg
+    assert plain != outlined and 'class="outlines"' in outlined
+    assert som.draw("clusters", clusters=halves).svg.count('<text') > 12
+    for clusters in (halves[:5], halves.astype(float), halves - 1, [halves]):
+        with pytest.raises(pysomato.UsageError, match="each of the 12 neurons"):
+            som.draw("u_matrix", clusters=clusters)
+    with pytest.raises(pysomato.UsageError, match="hierarchical"):
+        som.draw("dendrogram", clusters=halves)
+    with pytest.raises(pysomato.UsageError, match="hierarchical"):
+        som.draw("dendrogram", clusters="k_means:2")
+    with pytest.raises(pysomato.UsageError, match="did you mean 'ward'"):
+        som.draw("u_matrix", clusters="wart:2")
+    with pytest.raises(pysomato.UsageError, match="not a number of clusters"):
+        som.draw("u_matrix", clusters="ward:two")
+
+
+def test_a_trajectory_has_consecutive_rows(som, X):
+    whole = som.draw("trajectory", X[:5]).svg
+    assert whole == som.draw("trajectory", X, trajectory=slice(0, 5)).svg
+    assert whole == som.draw("trajectory", X, trajectory=range(5)).svg
+    for rows in (range(0, 4, 2), range(3, 3), range(0, len(X) + 1), 3, slice(2, 2)):
+        with pytest.raises(pysomato.UsageError, match="no consecutive rows"):
+            som.draw("trajectory", X, trajectory=rows)
+    with pytest.raises(pysomato.UsageError, match="cannot be followed"):
+        som.draw("trajectory", np.tile(X, (30, 1))[:1001])
+
+
+def test_names_of_a_loaded_map_are_written(som, files, labels):
+    loaded = SOM.load(files / "map.somato")
+    written = loaded.draw("label_text").svg
+    assert str(labels[0]) in written
+    assert "projection" in pysomato.drawing.PANELS
+    assert 'class="samples"' in loaded.draw("projection").svg
+
+
 def test_other_samples_are_drawn(som, X, labels):
     half = som.draw("hits", X[:30]).svg
     assert half != som.draw("hits").svg
@@ -181,6 +243,54 @@ def test_axes_show_any_panel(som, axes):
                            ("planes", "panels are")]:
         with pytest.raises(pysomato.UsageError, match=message):
             som.plot(panel)
+
+
+def test_axes_show_the_values_of_edges(som, axes):
+    cells = som.plot("u_matrix_edges", ax=axes).collections[0]
+    rows, columns = 3, 4
+    # Edges of a hexagonal plane: within rows, and two to the next row except at its end.
+    edges = rows * (columns - 1) + (rows - 1) * (2 * columns - 1)
+    assert len(cells.get_array()) == rows * columns + edges
+    centres = np.array([path.vertices[:6].mean(axis=0) for path in cells.get_paths()])
+    by_place = {tuple(np.round(centre, 6)): value for centre, value in zip(centres, cells.get_array(), strict=True)}
+    neurons = som.map_.cells().mean(axis=1)
+    for a in range(12):
+        assert by_place[tuple(np.round(neurons[a], 6))] == som.u_matrix().ravel()[a]
+        for b in range(a):
+            if np.linalg.norm(neurons[a] - neurons[b]) < 1.1:
+                expected = np.linalg.norm(som.weights_[a].astype(float) - som.weights_[b])
+                assert by_place[tuple(np.round((neurons[a] + neurons[b]) / 2, 6))] == pytest.approx(expected)
+
+
+def test_axes_show_the_plane_of_the_principal_components(som, X, axes):
+    som.plot("projection", X, ax=axes)
+    weights = som.weights_.astype(float)
+    centred = weights - weights.mean(axis=0)
+    expected = centred @ np.linalg.svd(centred)[2][:2].T
+    samples, neurons = axes.collections[-2].get_offsets(), axes.collections[-1].get_offsets()
+    np.testing.assert_allclose(np.abs(neurons), np.abs(expected), atol=1e-5)
+    assert len(samples) == len(X)
+    variances = np.linalg.svd(centred)[1] ** 2
+    assert f"{variances[0] / variances.sum():.0%}" in axes.get_xlabel()
+
+
+def test_axes_show_every_panel(som, X, labels, axes):
+    from matplotlib import pyplot
+
+    for panel in pysomato.drawing.PANELS:
+        if panel == "components":
+            continue
+        axes.clear()
+        drawn = som.plot(panel, X, labels, ax=axes, clusters="ward:3", trajectory=range(10))
+        assert drawn.get_title()
+        drawn.figure.canvas.draw()
+    wedges = som.plot("pies", X, labels).patches
+    pairs = {(winner, label) for winner, label in zip(som.predict(X), labels, strict=True)}
+    assert len(wedges) == len(pairs)
+    open_figures = len(pyplot.get_fignums())
+    with pytest.raises(pysomato.UsageError, match="hierarchical"):
+        som.plot("dendrogram", clusters="watershed")
+    assert len(pyplot.get_fignums()) == open_figures
 
 
 def test_axes_show_a_column_by_its_name(X, axes):

@@ -99,7 +99,8 @@ std::optional<FittedText> fitted(const std::string& text, const Cells& cells) {
     const bool is_narrow = std::all_of(lines.begin(), lines.end(), [&](const std::string& line) {
       return text_width(line, size) <= width;
     });
-    if (is_narrow && real(lines.size()) * kCellLine * size <= height) return FittedText{size, lines};
+    if (is_narrow && real(lines.size()) * kCellLine * size <= height)
+      return FittedText{size, lines};
   }
   return std::nullopt;
 }
@@ -132,9 +133,8 @@ void draw_pies(SvgWriter& svg, const LabelPanel& panel, const Cells& cells, Poin
 }
 
 bool fit_in_cells(const std::vector<std::string>& names, const Cells& cells) {
-  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-    return fitted(name, cells).has_value();
-  });
+  return std::all_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return fitted(name, cells).has_value(); });
 }
 
 void draw_texts(SvgWriter& svg, const Cells& cells, Point corner,

@@ -84,8 +84,9 @@ void draw_merges(SvgWriter& svg, const Clusters& clusters, const Tree& tree) {
     const Point first = tree.nodes[clusters.merges[i].first];
     const Point second = tree.nodes[clusters.merges[i].second];
     std::vector<Point>& ends = tree.clusters[neurons + i] ? inside : between;
-    ends.insert(ends.end(), {first, {first.x, top.y}, {first.x, top.y}, {second.x, top.y},
-                             {second.x, top.y}, second});
+    ends.insert(
+        ends.end(),
+        {first, {first.x, top.y}, {first.x, top.y}, {second.x, top.y}, {second.x, top.y}, second});
   }
   svg.open_group("merges", {}, {.fill = "none", .stroke = "#111111"});
   const double width = std::clamp(kTreeWidth / real(neurons) / 4, 0.4, 1.6);
@@ -124,8 +125,12 @@ void draw_axis(SvgWriter& svg, const Tree& tree) {
   constexpr double kLeft = kAxis - 6;
   const double bottom = kTop + kTreeHeight;
   svg.open_group("axis", {}, {.fill = "none", .stroke = "#444444"});
-  svg.segments({{kLeft, kTop}, {kLeft, bottom}, {kLeft - 4, kTop}, {kLeft, kTop},
-                {kLeft - 4, bottom}, {kLeft, bottom}},
+  svg.segments({{kLeft, kTop},
+                {kLeft, bottom},
+                {kLeft - 4, kTop},
+                {kLeft, kTop},
+                {kLeft - 4, bottom},
+                {kLeft, bottom}},
                {.stroke_width = 0.8});
   svg.close_group();
   svg.open_group("heights");
@@ -175,7 +180,8 @@ void check(const Clusters& clusters) {
     require(first != second && std::max(first, second) < neurons + i && !is_merged[first] &&
                 !is_merged[second],
             "the merges of a dendrogram are not those of a tree");
-    require(std::isfinite(height) && height >= 0, "the heights of merges are finite and at least 0");
+    require(std::isfinite(height) && height >= 0,
+            "the heights of merges are finite and at least 0");
     is_merged[first] = is_merged[second] = true;
   }
 }

@@ -29,17 +29,24 @@ void draw_dots(SvgWriter& svg, const PanelFrame& frame, const std::vector<std::s
   svg.close_group();
 }
 
-// The cells of the neurons at twice the size, so that their borders lie in the cells of the edges.
+// The outlines of the neurons' cells at twice the size, which lie in the cells of the edges, within
+// the picture.
 void draw_coarse_outlines(SvgWriter& svg, const PanelFrame& frame, const EdgePanel& panel,
                           std::size_t first_cell) {
+  if (panel.clusters.empty()) return;
   const Cells coarse(panel.grid, 2 * frame.cells.pixels());
-  const Point corner = frame.map_corner();
   const Point fine_centre = frame.cells.centre(first_cell);
   const Point coarse_centre = coarse.centre(0);
-  draw_outlines(
-      svg, coarse,
-      {corner.x + fine_centre.x - coarse_centre.x, corner.y + fine_centre.y - coarse_centre.y},
-      panel.clusters);
+  const Point move{fine_centre.x - coarse_centre.x, fine_centre.y - coarse_centre.y};
+  std::vector<Point> ends = in_pixels(coarse, coarse.borders(panel.clusters).between_areas);
+  std::vector<Point> within;
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    Point from{ends[i].x + move.x, ends[i].y + move.y};
+    Point to{ends[i + 1].x + move.x, ends[i + 1].y + move.y};
+    if (!cut_line(from, to, {frame.cells.width(), frame.cells.height()})) continue;
+    within.insert(within.end(), {from, to});
+  }
+  draw_outlines(svg, coarse.pixels(), frame.map_corner(), within);
 }
 
 void draw_expanded(SvgWriter& svg, const PanelFrame& frame, const EdgePanel& panel,

@@ -203,7 +203,7 @@ void check(const LabelPanel& panel) {
   check_clusters(panel.grid, panel.clusters);
 }
 
-// What the marks mean.
+// The meaning of the marks.
 std::string explanation_of(const LabelPanel& panel, const Cells& cells) {
   const std::vector<Won> won = won_by_neuron(panel);
   if (panel.marks == LabelMarks::kText) return "";
@@ -239,8 +239,11 @@ void draw_marks(SvgWriter& svg, const LabelPanel& panel, const PanelFrame& frame
 }  // namespace
 
 LabelPanel clusters_panel(const Grid& grid, const std::vector<std::size_t>& clusters) {
-  LabelPanel panel{.title = "Clusters", .grid = grid, .classes = clusters,
-                   .marks = LabelMarks::kText, .clusters = clusters};
+  LabelPanel panel{.title = "Clusters",
+                   .grid = grid,
+                   .classes = clusters,
+                   .marks = LabelMarks::kText,
+                   .clusters = clusters};
   panel.winners.resize(grid.size());
   std::iota(panel.winners.begin(), panel.winners.end(), std::size_t{0});
   const std::size_t count =
@@ -267,8 +270,7 @@ void draw_panel(SvgWriter& svg, const PanelFrame& frame, const LabelPanel& panel
   draw_frame(svg, frame);
   draw_cells(svg, frame, fills,
              [&](std::size_t neuron) { return tooltip_of(panel, neuron, won[neuron]); });
-  draw_borders(svg, frame.cells, corner,
-               panel.clusters.empty() ? area : std::vector<std::size_t>(),
+  draw_borders(svg, frame.cells, corner, panel.clusters.empty() ? area : std::vector<std::size_t>(),
                panel.marks == LabelMarks::kPies ? "#bbbbbb" : "#ffffff");
   draw_outlines(svg, frame.cells, corner, panel.clusters);
   draw_marks(svg, panel, frame, won, fills);

@@ -101,8 +101,9 @@ EdgePanel u_matrix_edges_panel(const Som& som) {
           .grid = som.grid(),
           .values = u_matrix(som),
           .edges = edges_of(som),
-          .note = "Dots: neurons, with their mean distance from neighbours; between them, the "
-                  "distance of two neighbours."};
+          .note =
+              "Dots: neurons, with their mean distance from neighbours; between them, the "
+              "distance of two neighbours."};
 }
 
 std::vector<Panel> component_panels(const Som& som, const std::vector<std::string>& names,
@@ -117,9 +118,9 @@ std::vector<Panel> component_panels(const Som& som, const std::vector<std::strin
   panels.reserve(planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const std::size_t element = elements[i];
-    ValuePanel panel = value_panel(
-        names.empty() ? fmt::format("Component {}", element + 1) : names[element], som,
-        std::move(planes[i]));
+    ValuePanel panel =
+        value_panel(names.empty() ? fmt::format("Component {}", element + 1) : names[element], som,
+                    std::move(planes[i]));
     panel.limits = limits;
     panels.emplace_back(std::move(panel));
   }
@@ -152,8 +153,8 @@ ProjectionPanel projection_panel(const Som& som, const WeightPlane& plane,
 
 LabelPanel label_text_panel(const Grid& grid, const NeuronLabels& labels,
                             const std::vector<std::string>& class_names) {
-  LabelPanel panel{.title = "Label text", .grid = grid, .class_names = class_names,
-                   .marks = LabelMarks::kText};
+  LabelPanel panel{
+      .title = "Label text", .grid = grid, .class_names = class_names, .marks = LabelMarks::kText};
   for (const std::size_t neuron : labels.labelled()) {
     panel.winners.push_back(neuron);
     panel.classes.push_back(*labels[neuron]);
@@ -174,16 +175,16 @@ Result<Clusters> clusters_by_name(const Som& som, const std::string& text,
                                   const std::string& where) {
   const std::size_t colon = text.find(':');
   ClusterParameters parameters;
-  SOMATO_TRY(parameters.method, choice_named<ClusterMethod>("method of clustering",
-                                                           text.substr(0, colon), where));
+  SOMATO_TRY(parameters.method,
+             choice_named<ClusterMethod>("method of clustering", text.substr(0, colon), where));
   if (colon != std::string::npos) {
     const char* end = text.data() + text.size();
     std::size_t count = 0;
     const auto [rest, error] = std::from_chars(text.data() + colon + 1, end, count);
     if (error != std::errc() || rest != end || count == 0) {
       return fail(ErrorKind::kUsage,
-                  fmt::format("{} is not a number of clusters", shown(text.substr(colon + 1))), where,
-                  "use METHOD or METHOD:NUMBER, such as ward:4");
+                  fmt::format("{} is not a number of clusters", shown(text.substr(colon + 1))),
+                  where, "use METHOD or METHOD:NUMBER, such as ward:4");
     }
     parameters.count = count;
   }

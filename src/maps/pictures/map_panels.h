@@ -52,9 +52,9 @@ std::vector<Panel> component_panels(const Som& som, const std::vector<std::strin
 /// The most samples that projection_panel() draws.
 constexpr std::size_t kMostProjectedSamples = 4000;
 
-/// A panel with the grid of a map in the plane of the first two principal components of its weights,
-/// and samples at their positions in it, of which `classes` has the classes unless it is empty. Of
-/// many samples, every second, third or nth one is drawn, as the note says.
+/// A panel with the grid of a map in the plane of the first two principal components of its
+/// weights, and samples at their positions in it, of which `classes` has the classes unless it is
+/// empty. Of many samples, every second, third or nth one is drawn, as the note says.
 ProjectionPanel projection_panel(const Som& som, const WeightPlane& plane,
                                  const std::vector<Position>& samples, const Classes& classes);
 
@@ -66,9 +66,9 @@ LabelPanel label_text_panel(const Grid& grid, const NeuronLabels& labels,
 TrajectoryPanel trajectory_panel(const Som& som, std::vector<std::size_t> winners,
                                  std::size_t first_number);
 
-/// The clusters of a map's neurons by METHOD or METHOD:NUMBER, such as "ward:4" (cluster_neurons()).
-/// Errors (kUsage), at `where`: an unknown method, a number that is not one, and those of
-/// cluster_neurons().
+/// The clusters of a map's neurons by METHOD or METHOD:NUMBER, such as "ward:4"
+/// (cluster_neurons()). Errors (kUsage), at `where`: an unknown method, a number that is not one,
+/// and those of cluster_neurons().
 Result<Clusters> clusters_by_name(const Som& som, const std::string& text,
                                   const std::string& where);
 

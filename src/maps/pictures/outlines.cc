@@ -16,11 +16,35 @@ std::vector<Point> in_pixels(const Cells& cells, std::vector<Point> points) {
   return points;
 }
 
+bool cut_line(Point& from, Point& to, Point size) {
+  double begin = 0.0;
+  double end = 1.0;
+  const Point step{to.x - from.x, to.y - from.y};
+  const auto limit = [&](double direction, double distance) {
+    if (direction == 0.0) return distance >= 0.0;
+    const double at = distance / direction;
+    if (direction < 0.0) begin = std::max(begin, at);
+    if (direction > 0.0) end = std::min(end, at);
+    return begin < end;
+  };
+  if (!limit(-step.x, from.x) || !limit(step.x, size.x - from.x) || !limit(-step.y, from.y) ||
+      !limit(step.y, size.y - from.y)) {
+    return false;
+  }
+  to = {from.x + end * step.x, from.y + end * step.y};
+  from = {from.x + begin * step.x, from.y + begin * step.y};
+  return true;
+}
+
 void draw_outlines(SvgWriter& svg, const Cells& cells, Point corner,
                    const std::vector<std::size_t>& clusters) {
   if (clusters.empty()) return;
-  const std::vector<Point> ends = in_pixels(cells, cells.borders(clusters).between_areas);
-  const double width = std::clamp(cells.pixels() * 0.09, 1.2, 2.8);
+  draw_outlines(svg, cells.pixels(), corner,
+                in_pixels(cells, cells.borders(clusters).between_areas));
+}
+
+void draw_outlines(SvgWriter& svg, double pixels, Point corner, const std::vector<Point>& ends) {
+  const double width = std::clamp(pixels * 0.09, 1.2, 2.8);
   svg.open_group("outlines", corner, {.fill = "none"});
   if (!ends.empty()) {
     svg.segments(ends, {.stroke = "#ffffff", .stroke_width = 2.2 * width});

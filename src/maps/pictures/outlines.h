@@ -17,6 +17,13 @@ void check_clusters(const Grid& grid, const std::vector<std::size_t>& clusters);
 void draw_outlines(SvgWriter& svg, const Cells& cells, Point corner,
                    const std::vector<std::size_t>& clusters);
 
+/// The same with the lines, in pairs of ends, around cells `pixels` wide.
+void draw_outlines(SvgWriter& svg, double pixels, Point corner, const std::vector<Point>& ends);
+
+/// Cuts a line to a rectangle from (0, 0) to `size`; false if nothing is left (Liang and Barsky, A
+/// new concept and method for line clipping, ACM Transactions on Graphics 3, 1984).
+bool cut_line(Point& from, Point& to, Point size);
+
 /// Draws a border around the map and between areas, and lines between cells of one area unless they
 /// are small. `area` is that of each neuron; empty: all cells are one area.
 void draw_borders(SvgWriter& svg, const Cells& cells, Point corner,

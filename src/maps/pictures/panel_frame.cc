@@ -69,8 +69,8 @@ PanelFrame make_frame(const std::string& title, const Grid& grid) {
 
 PanelFrame make_frame(const std::string& title, const Grid& grid, double pixels) {
   const Cells cells(grid, pixels);
-  return {title, cells, cells.width(), cells.height(), std::max(cells.width(), kLeastWidth), 0.0,
-          {}};
+  return {title, cells, cells.width(), cells.height(), std::max(cells.width(), kLeastWidth),
+          0.0,   {}};
 }
 
 PanelFrame make_frame(const std::string& title, double width, double height) {
@@ -88,8 +88,7 @@ void add_note(PanelFrame& frame, const std::string& note) {
 }
 
 void add_note(PanelFrame& frame, const std::string& note, Topology topology) {
-  frame.note_lines =
-      wrapped(with_topology(note, topology), frame.width, kNoteSize, kMostNoteLines);
+  frame.note_lines = wrapped(with_topology(note, topology), frame.width, kNoteSize, kMostNoteLines);
 }
 
 void draw_frame(SvgWriter& svg, const PanelFrame& frame) {

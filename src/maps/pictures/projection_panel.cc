@@ -126,9 +126,8 @@ void draw_samples(SvgWriter& svg, const ProjectionPanel& panel, const Scale& sca
 
 std::string tooltip_of(const ProjectionPanel& panel, std::size_t neuron) {
   const std::string place = place_of(panel.grid, neuron);
-  return panel.clusters.empty()
-             ? place
-             : fmt::format("{}: cluster {}", place, panel.clusters[neuron] + 1);
+  return panel.clusters.empty() ? place
+                                : fmt::format("{}: cluster {}", place, panel.clusters[neuron] + 1);
 }
 
 void draw_neurons(SvgWriter& svg, const ProjectionPanel& panel, const Scale& scale, double radius,
@@ -150,9 +149,14 @@ void draw_neurons(SvgWriter& svg, const ProjectionPanel& panel, const Scale& sca
 
 std::string note_of(const ProjectionPanel& panel) {
   std::string note = panel.note;
-  const auto add = [&](const char* sentence) { note += (note.empty() ? "" : " ") + std::string(sentence); };
+  const auto add = [&](const char* sentence) {
+    note += (note.empty() ? "" : " ") + std::string(sentence);
+  };
   if (!panel.clusters.empty()) {
-    add("Numbers of clusters are in the circles; dashed lines connect two clusters.");
+    const Edges edges = edges_of(panel, Scale(panel));
+    add(radius_for(edges, true) < kLeastNumberedRadius
+            ? "Dashed lines connect two clusters."
+            : "Numbers of clusters are in the circles; dashed lines connect two clusters.");
   }
   if (panel.grid.topology() == Topology::kTorus) add("Dotted lines join opposite edges.");
   return note;

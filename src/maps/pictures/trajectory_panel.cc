@@ -52,27 +52,6 @@ void place(std::vector<Visit>& visits, const Cells& cells) {
   }
 }
 
-// Cuts a line to a rectangle from (0, 0); false if nothing is left (Liang and Barsky 1984).
-bool cut(Point& from, Point& to, Point size) {
-  double begin = 0.0;
-  double end = 1.0;
-  const Point step{to.x - from.x, to.y - from.y};
-  const auto limit = [&](double direction, double distance) {
-    if (direction == 0.0) return distance >= 0.0;
-    const double at = distance / direction;
-    if (direction < 0.0) begin = std::max(begin, at);
-    if (direction > 0.0) end = std::min(end, at);
-    return begin < end;
-  };
-  if (!limit(-step.x, from.x) || !limit(step.x, size.x - from.x) || !limit(-step.y, from.y) ||
-      !limit(step.y, size.y - from.y)) {
-    return false;
-  }
-  to = {from.x + end * step.x, from.y + end * step.y};
-  from = {from.x + begin * step.x, from.y + begin * step.y};
-  return true;
-}
-
 // A straight line between two visits, with an arrow at its end or without.
 struct Line {
   Point from;
@@ -95,7 +74,8 @@ Point period_of(const Cells& cells) {
 // From circle to circle; across the border of a torus, in two parts.
 std::vector<Line> lines_between(const Visit& a, const Visit& b, const Cells& cells) {
   const Point period = period_of(cells);
-  const Point move{nearest_move(b.at.x - a.at.x, period.x), nearest_move(b.at.y - a.at.y, period.y)};
+  const Point move{nearest_move(b.at.x - a.at.x, period.x),
+                   nearest_move(b.at.y - a.at.y, period.y)};
   const Point target{b.at.x + move.x, b.at.y + move.y};
   const double length = distance(a.at, target);
   if (length <= a.radius + b.radius) return {};
@@ -103,12 +83,13 @@ std::vector<Line> lines_between(const Visit& a, const Visit& b, const Cells& cel
   Line line{{a.at.x + a.radius * unit.x, a.at.y + a.radius * unit.y},
             {target.x - (b.radius + 1) * unit.x, target.y - (b.radius + 1) * unit.y}};
   if (move.x == 0.0 && move.y == 0.0) return {line};
-  Line moved{{line.from.x - move.x, line.from.y - move.y}, {line.to.x - move.x, line.to.y - move.y}};
+  Line moved{{line.from.x - move.x, line.from.y - move.y},
+             {line.to.x - move.x, line.to.y - move.y}};
   line.has_arrow = false;
   std::vector<Line> lines;
   const Point size{cells.width(), cells.height()};
-  if (cut(line.from, line.to, size)) lines.push_back(line);
-  if (cut(moved.from, moved.to, size)) lines.push_back(moved);
+  if (cut_line(line.from, line.to, size)) lines.push_back(line);
+  if (cut_line(moved.from, moved.to, size)) lines.push_back(moved);
   return lines;
 }
 
@@ -150,10 +131,10 @@ std::string samples_of(const TrajectoryPanel& panel, const Visit& visit) {
 
 void draw_number(SvgWriter& svg, const Visit& visit, std::size_t number, const char* colour) {
   const std::string text = fmt::format("{}", number);
-  const double size = std::min(1.25 * visit.radius, 1.75 * visit.radius / text_width(text, 1.0));
+  const double size =
+      std::min({1.25 * visit.radius, 1.75 * visit.radius / text_width(text, 1.0), 9.5});
   if (visit.radius < kLeastNumberedRadius || size < 5.0) return;
-  svg.text({visit.at.x, visit.at.y + 0.36 * size}, text,
-           {size, Anchor::kMiddle, true, colour});
+  svg.text({visit.at.x, visit.at.y + 0.36 * size}, text, {size, Anchor::kMiddle, true, colour});
 }
 
 // The first visit is black, the last one a black square, which has the number of the last sample.
@@ -207,10 +188,11 @@ std::string note_of(const TrajectoryPanel& panel) {
                        last, grey);
   }
   return fmt::format(
-      "{}Samples {} (black circle) to {} (black square): {} step{} between {} neuron{}.{}",
-      before, panel.first_number, last, steps,
-      steps == 1 ? "" : "s", distinct, distinct == 1 ? "" : "s",
-      grey);
+      "{}Samples {} (black circle) to {} (black square): {} step{} between {} neuron{}. Circles "
+      "have "
+      "the number of the sample that arrives.{}",
+      before, panel.first_number, last, steps, steps == 1 ? "" : "s", distinct,
+      distinct == 1 ? "" : "s", grey);
 }
 
 void check(const TrajectoryPanel& panel) {

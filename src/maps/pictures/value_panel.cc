@@ -43,9 +43,9 @@ PanelFrame frame_of(const ValuePanel& panel) {
   PanelFrame frame = make_frame(panel.title, panel.grid);
   check_values(panel.grid, panel.values);
   check_clusters(panel.grid, panel.clusters);
-  require(!panel.limits || (std::isfinite(panel.limits->least) &&
-                            std::isfinite(panel.limits->greatest) &&
-                            panel.limits->least <= panel.limits->greatest),
+  require(!panel.limits ||
+              (std::isfinite(panel.limits->least) && std::isfinite(panel.limits->greatest) &&
+               panel.limits->least <= panel.limits->greatest),
           "a panel's limits must be finite and in ascending order");
   frame.foot_height = kColourBarHeight;
   add_note(frame, panel.note);

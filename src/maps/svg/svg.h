@@ -53,8 +53,8 @@ class SvgWriter {
   void polygon(const std::vector<Point>& corners, const Paint& paint = {},
                std::string_view tooltip = {});
 
-  /// A sector of a circle, clockwise from one angle to another one, in turns from the top; from 0 to
-  /// 1 is a circle. Throws InvalidArgument unless 0 <= from < to <= 1.
+  /// A sector of a circle, clockwise from one angle to another one, in turns from the top; from 0
+  /// to 1 is a circle. Throws InvalidArgument unless 0 <= from < to <= 1.
   void sector(Point centre, double radius, double from, double to, const Paint& paint = {},
               std::string_view tooltip = {});
 

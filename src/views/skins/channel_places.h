@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "views/skins/skin_places.h"
 #include "somato/core/result.h"
+#include "views/skins/skin_places.h"
 
 namespace somato {
 

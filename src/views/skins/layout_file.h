@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "views/skins/channel_places.h"
 #include "somato/core/parameter.h"
+#include "views/skins/channel_places.h"
 
 namespace somato {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "views/skins/skin_places.h"
 #include "maps/svg/svg.h"
+#include "views/skins/skin_places.h"
 
 namespace somato {
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "views/skins/skin_layout.h"
 #include "maps/svg/colour_bar.h"
 #include "maps/svg/colours.h"
 #include "maps/svg/svg.h"
 #include "maps/svg/text_layout.h"
 #include "somato/core/check.h"
+#include "views/skins/skin_layout.h"
 
 namespace somato {
 namespace {

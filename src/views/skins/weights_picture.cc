@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "maps/pictures/map_panels.h"
-#include "views/skins/skin_picture.h"
 #include "somato/core/check.h"
 #include "somato/core/parameter.h"
+#include "views/skins/skin_picture.h"
 
 namespace somato {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "views/skins/channel_places.h"
 #include "somato/maps/som.h"
+#include "views/skins/channel_places.h"
 
 namespace somato {
 

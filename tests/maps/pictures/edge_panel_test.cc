@@ -72,7 +72,7 @@ TEST(EdgePanel, EdgesOfATorusHaveTheirOwnCells) {
       EXPECT_EQ(cells.size(), panel.values.size() + panel.edges.size());
       std::set<std::pair<int, int>> places;
       for (const auto& [tooltip, at] : cells) {
-        EXPECT_EQ(tooltip.find(','), tooltip.rfind(", column 1: ") == 0 ? 0 : tooltip.find(','));
+        EXPECT_EQ(tooltip.find("to"), tooltip.rfind("to")) << "two edges in one cell";
         places.emplace(static_cast<int>(10 * at.x), static_cast<int>(10 * at.y));
       }
       EXPECT_EQ(places.size(), cells.size());
@@ -82,8 +82,7 @@ TEST(EdgePanel, EdgesOfATorusHaveTheirOwnCells) {
 
 TEST(EdgePanel, SmallToriAreDrawn) {
   for (const auto& [rows, columns] : {std::pair{1U, 1U}, {1U, 2U}, {2U, 2U}, {2U, 3U}, {3U, 1U}}) {
-    EXPECT_NO_THROW(
-        draw(counted(grid_of(rows, columns, Lattice::kRectangular, Topology::kTorus))));
+    EXPECT_NO_THROW(draw(counted(grid_of(rows, columns, Lattice::kRectangular, Topology::kTorus))));
     if (rows % 2 == 1) continue;
     EXPECT_NO_THROW(draw(counted(grid_of(rows, columns, Lattice::kHexagonal, Topology::kTorus))));
   }
@@ -131,8 +130,8 @@ TEST(EdgePanel, OutlinesLieOnTheEdges) {
 }
 
 TEST(EdgePanel, EdgesOfAGraphAreLines) {
-  const auto graph = std::make_shared<const NeuronGraph>(
-      3, std::vector<NeuronGraph::Edge>{{0, 1}, {1, 2}});
+  const auto graph =
+      std::make_shared<const NeuronGraph>(3, std::vector<NeuronGraph::Edge>{{0, 1}, {1, 2}});
   EdgePanel panel{.title = "Graph", .grid = Grid(graph), .values = {1, 2, 3}};
   panel.edges = {{0, 1, 5.0}, {1, 2, 1.0}};
   const auto lines = test::elements(group(draw(panel), "edges"), "path");

@@ -13,6 +13,7 @@
 
 #include "maps/pictures/panels.h"
 #include "maps/pictures/xml.h"
+#include "maps/svg/colours.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -114,6 +115,41 @@ TEST(MapPicture, EveryNeuronHasItsValue) {
             (std::set<std::string>{"row 1, column 1: 0.5", "row 1, column 2: -1",
                                    "row 1, column 3: 2", "row 2, column 1: 0.25",
                                    "row 2, column 2: 1e-09", "row 2, column 3: 1.235e+07"}));
+}
+
+TEST(MapPicture, LimitsAreThoseOfTheColoursAndOfTheBar) {
+  ValuePanel panel = counting_panel(grid_of(1, 3));
+  panel.limits = ColourLimits{-2, 2};
+  const Element root = draw(panel);
+  EXPECT_TRUE(has_text(root, "-2"));
+  const auto fills = group(root, "cells").children;
+  std::set<std::string> colours;
+  for (const Element& fill : fills) colours.insert(fill["fill"]);
+  EXPECT_TRUE(colours.contains(to_string(sequential_colour(0.5))));
+  EXPECT_TRUE(colours.contains(to_string(sequential_colour(1.0))));
+  panel.limits = ColourLimits{2, -2};
+  EXPECT_THROW(draw(panel), InvalidArgument);
+  panel.limits = ColourLimits{0, std::numeric_limits<double>::infinity()};
+  EXPECT_THROW(draw(panel), InvalidArgument);
+}
+
+TEST(MapPicture, ClustersAreOutlinedOnEveryKindOfPanel) {
+  ValuePanel values = counting_panel(grid_of(1, 3));
+  values.clusters = {0, 1, 1};
+  LabelPanel labels = two_classes();
+  labels.clusters.assign(12, 0);
+  labels.clusters[3] = 1;
+  for (const auto& [panel, lines] : {std::pair<Panel, int>{values, 1}, {labels, 2}}) {
+    const auto paths = test::elements(group(draw(panel), "outlines"), "path");
+    ASSERT_EQ(paths.size(), 2U);  // a white rim and the line
+    EXPECT_EQ(paths[0]["stroke"], "#ffffff");
+    const std::string d = paths[1]["d"];
+    EXPECT_EQ(std::count(d.begin(), d.end(), 'M'), lines);
+  }
+  values.clusters = {0, 0, 0};
+  EXPECT_TRUE(test::elements(group(draw(values), "outlines"), "path").empty());
+  values.clusters = {0, 1};
+  EXPECT_THROW(draw(values), InvalidArgument);
 }
 
 TEST(MapPicture, LeastIsDarkAndGreatestIsLight) {

@@ -129,7 +129,8 @@ TEST_F(HostileInputs, FlagsWithoutEffectAreRefused) {
 
 TEST_F(HostileInputs, APictureIsNotNamedAfterAnotherFormat) {
   train();
-  expect_refused(2, {"som", "plot", "good.map", "-o", "p.png"}, {"p.png: ", "SVG, not png"});
+  expect_refused(2, {"som", "plot", "good.map", "-o", "p.JPG"},
+                 {"p.JPG: ", "SVG, PNG or PDF, not jpg"});
 }
 
 TEST_F(HostileInputs, ControlCharactersOfNamesDoNotReachTheTerminal) {

@@ -1,6 +1,6 @@
 // Elements in a grid without holes: by the shape of their channel, by the rows and columns of their
 // names ("t00", "taxel_0_3", "r1c2"), or as square as possible. The pictures of the program have the
-// same grid (src/maps/pictures/grid_layout.cc).
+// same grid (src/views/skins/grid_layout.cc).
 
 import type { HandLayout } from "./hand_layout";
 
