@@ -184,6 +184,9 @@ def test_damaged_files_are_named(X, tmp_path):
     (tmp_path / "cut.npz").write_bytes(whole[:-40])
     with pytest.raises(DataError, match="cut.npz"):
         SOM.load(tmp_path / "cut.npz")
+    (tmp_path / "name.npz").write_bytes(whole.replace(b"positions.npy", b"positi\xd1ns.npy"))
+    with pytest.raises(DataError, match="unknown array"):  # its name is no text
+        SOM.load(tmp_path / "name.npz")
     with np.load(tmp_path / "map.npz") as file:
         arrays = dict(file)
     arrays["weights"] = arrays["weights"].astype(object)
