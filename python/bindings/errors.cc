@@ -1,6 +1,7 @@
 #include "errors.h"
 
 #include <exception>
+#include <string>
 
 #include "somato/core/check.h"
 
@@ -13,11 +14,17 @@ const char* name_of(ErrorKind kind) {
   return kind == ErrorKind::kData ? "DataError" : "OperatingSystemError";
 }
 
+// A damaged file may have bytes in its names that are no text.
+nanobind::object text_of(const std::string& text) {
+  return nanobind::steal(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "backslashreplace"));
+}
+
 void raise(const Error& error) {
   const nanobind::object type =
       nanobind::module_::import_(SOMATO_PYTHON_PACKAGE ".errors").attr(name_of(error.kind));
   const nanobind::object raised =
-      type(error.what.c_str(), error.where.c_str(), error.advice.c_str());
+      type(text_of(error.what), text_of(error.where), text_of(error.advice));
   PyErr_SetObject(type.ptr(), raised.ptr());
 }
 

@@ -27,7 +27,10 @@ def weights_of(weights):
     if isinstance(weights, np.ma.MaskedArray) and np.ma.is_masked(weights):
         raise DataError("a weight is masked", _WHERE, "give all weights")
     try:
-        exact = np.asarray(weights, dtype=np.float64)
+        array = np.asarray(weights)
+        if array.dtype.kind not in "biufO":
+            raise TypeError(f"{array.dtype}")
+        exact = array.astype(np.float64)
     except (TypeError, ValueError) as error:
         raise DataTypeError("the weights are no array of numbers", _WHERE,
                             "pass numbers of (rows, columns, features)") from error

@@ -87,12 +87,13 @@ def test_other_objects_and_distances_are_refused():
 
 def test_weights_become_a_map(X):
     weights = np.arange(24.0).reshape(3, 4, 2)
-    som = SOM.from_weights(weights, lattice="hexagonal", features=["a", "b"], threads=1)
+    som = SOM.from_weights(weights, lattice="hexagonal", features=["thumb", "index"], threads=1)
     np.testing.assert_array_equal(som.weights_, weights.reshape(12, 2))
     assert (som.rows, som.columns, som.threads, som.n_features_in_) == (3, 4, 1, 2)
     same = SOM.from_weights(weights.reshape(12, 2), columns=4, lattice="hexagonal")
     np.testing.assert_array_equal(same.weights_, som.weights_)
-    assert "a" in som.draw("components").svg
+    picture = som.draw("components").svg
+    assert ">thumb<" in picture and ">index<" in picture  # titles of the planes
 
 
 def test_weights_of_a_frame_have_names():
@@ -104,6 +105,8 @@ def test_weights_of_a_frame_have_names():
 @pytest.mark.parametrize(("weights", "error", "message"), [
     (np.zeros(3), DataError, "shape"), (np.zeros((0, 1, 1)), DataError, "shape"),
     ([[["text"]]], TypeError, "no array of numbers"), ([[[1.0]], [[1.0, 2.0]]], DataError, "numbers"),
+    (np.full((1, 2, 1), 1j), TypeError, "no array of numbers"),
+    (np.array([[["1"]]]), TypeError, "no array of numbers"),
     (np.full((1, 2, 1), np.nan), DataError, r"\(0, 0, 0\) is nan"),
     (np.full((1, 2, 1), 1e300), DataError, r"1e\+300"),
     (np.array([[[1.7e9], [1.7e9 + 1]]]), DataError, "loses precision"),
@@ -181,6 +184,9 @@ def test_damaged_files_are_named(X, tmp_path):
     (tmp_path / "cut.npz").write_bytes(whole[:-40])
     with pytest.raises(DataError, match="cut.npz"):
         SOM.load(tmp_path / "cut.npz")
+    (tmp_path / "name.npz").write_bytes(whole.replace(b"positions.npy", b"positi\xd1ns.npy"))
+    with pytest.raises(DataError, match="unknown array"):  # its name is no text
+        SOM.load(tmp_path / "name.npz")
     with np.load(tmp_path / "map.npz") as file:
         arrays = dict(file)
     arrays["weights"] = arrays["weights"].astype(object)

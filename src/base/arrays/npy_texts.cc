@@ -12,6 +12,7 @@
 #include "base/archives/little_endian.h"
 #include "base/arrays/npy_header.h"
 #include "base/arrays/npy_layout.h"
+#include "base/core/memory.h"
 #include "base/text/text.h"
 #include "base/text/utf8.h"
 
@@ -115,6 +116,7 @@ Result<std::vector<std::string>> texts_in_npy(std::string_view bytes, std::strin
                                      "characters",
                                      available, count, *characters));
   }
+  SOMATO_TRY_VOID(check_free_memory(count, sizeof(std::string), where));
   std::vector<std::string> texts;
   texts.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {

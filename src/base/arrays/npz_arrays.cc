@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/core/memory.h"
+
 namespace somato {
 namespace {
 
@@ -38,6 +40,7 @@ Result<std::string> NpzArrays::read(const std::string& name) const {
 Result<std::vector<double>> NpzArrays::numbers(const std::string& name) const {
   SOMATO_TRY(const std::string bytes, read(name));
   SOMATO_TRY(const NpyLayout layout, npy_layout_of_any(bytes, bytes.size(), place_of(name)));
+  SOMATO_TRY_VOID(check_free_memory(layout.rows * layout.columns, sizeof(double), place_of(name)));
   std::vector<double> numbers(layout.rows * layout.columns);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     numbers[i] = layout.type->read(bytes.data() + layout.start + i * layout.type->size);

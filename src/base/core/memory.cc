@@ -93,6 +93,15 @@ std::size_t free_memory() {
   return std::min({free_on_machine(), of_control_groups(true), free_address_space()});
 }
 
+Result<void> check_free_memory(std::size_t count, std::size_t size, std::string_view where) {
+  const double bytes = static_cast<double>(count) * static_cast<double>(size);
+  if (bytes <= static_cast<double>(free_memory()) / 4.0) return {};
+  return fail(ErrorKind::kSystem,
+              fmt::format("its content takes {} of memory, more than a quarter of what is free",
+                          memory_text(bytes)),
+              std::string(where), "free memory, or use a machine with more of it");
+}
+
 std::string memory_text(double bytes) {
   constexpr double kStep = 1024.0;
   const std::array units{"B", "KiB", "MiB", "GiB", "TiB"};

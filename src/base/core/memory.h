@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
+
+#include "somato/core/result.h"
 
 namespace somato {
 
@@ -19,6 +22,10 @@ std::size_t free_memory();
 
 /// An amount of memory for a person: "12 B", "1.5 GiB".
 std::string memory_text(double bytes);
+
+/// Fails (kSystem, at `where`) if `count` items of `size` bytes, which the content of a file asks
+/// for, take more than a quarter of the free memory.
+Result<void> check_free_memory(std::size_t count, std::size_t size, std::string_view where);
 
 namespace detail {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/arrays/npy_layout.h"
+#include "base/core/memory.h"
 #include "base/text/flag_hint.h"
 
 namespace somato {
@@ -115,6 +116,7 @@ Result<MapArray> map_array_in_npy(std::string_view bytes, const std::string& whe
                 fmt::format("the array has {} dimensions instead of 2 or 3", dimensions), where,
                 "save an array of rows x columns x features, or neurons x features");
   }
+  SOMATO_TRY_VOID(check_free_memory(layout.rows * layout.columns, sizeof(float), where));
   SOMATO_TRY(NpyReading reading, npy_reading(layout, {}, where));
   SOMATO_TRY(auto weights, npy_matrix(bytes, layout, reading, where));
   if (layout.fortran_order && dimensions == 3) {

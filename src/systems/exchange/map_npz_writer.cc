@@ -67,10 +67,7 @@ Result<void> check_size(const Som& som) {
                             som.neurons(), som.input_size(), memory_text(bytes)),
                 {}, "use the model file itself");
   }
-  if (2.0 * bytes < static_cast<double>(free_memory())) return {};
-  return fail(ErrorKind::kSystem,
-              fmt::format("the weights need {} of memory", memory_text(2.0 * bytes)), {},
-              "free memory, or use a machine with more of it");
+  return check_free_memory(som.neurons() * som.input_size(), sizeof(float), {});
 }
 
 std::string weights_array(const Som& som) {

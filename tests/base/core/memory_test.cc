@@ -37,6 +37,18 @@ TEST(Memory, WhatIsFreeIsNotLessThanTheSystemSays) {
             0.5 * static_cast<double>(info.freeram) * info.mem_unit);
 }
 
+TEST(Memory, IsCheckedForWhatAFileAsksFor) {
+  EXPECT_TRUE(check_free_memory(10, 8, "f"));
+  const std::size_t most = free_memory();
+  for (const auto& [count, size] : {std::pair<std::size_t, std::size_t>{most / 3, 1},
+                                    {std::size_t{1} << 62, std::size_t{1} << 62}}) {
+    const auto refused = check_free_memory(count, size, "f");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kSystem);
+    EXPECT_EQ(refused.error().where, "f");
+  }
+}
+
 TEST(Memory, OfControlGroupsIsTheLeastOfThoseAround) {
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   const TemporaryFolder root;
