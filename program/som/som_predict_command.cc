@@ -21,7 +21,7 @@
 namespace somato::program {
 namespace {
 
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kUnknownNumber = std::numeric_limits<float>::quiet_NaN();
 
 // Predicts a layer of the rows of a table that need not have its columns.
 class LayerPrediction {
@@ -112,7 +112,7 @@ class LayerPrediction {
       const auto row = rows.row(i);
       const auto middle = others.begin() + static_cast<std::ptrdiff_t>(layer_.first);
       auto to = std::copy(others.begin(), middle, row.begin());
-      to = std::fill_n(to, layer_.count, kUnknown);
+      to = std::fill_n(to, layer_.count, kUnknownNumber);
       std::copy(middle, others.end(), to);
     }
     const Samples whole(std::move(rows));

@@ -60,7 +60,7 @@ def sample_rows_of(estimator, X, *, reset, further=False, least=1, missing="refu
     """X for a map of the library: as for rows_of, or sparse in any format of scipy; missing values
     are kept as NaN unless they are refused. With extra_columns="ignore", the columns of fit are selected
     by their names."""
-    one_of(missing, ("refuse", "mean", "nearest"), f"{type(estimator).__name__}(missing)")
+    one_of(missing, ("refuse", "mean", "nearest", "leave_out"), f"{type(estimator).__name__}(missing)")
     X = _known_columns(estimator, X, reset, extra_columns)
     trained = None if reset else estimator.map_
     rows, moved = _rounded(estimator, X, reset, further, least, missing,
