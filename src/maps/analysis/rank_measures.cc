@@ -86,7 +86,7 @@ RankMeasures measure_ranks(const Som& som, const Samples& samples,
     std::vector<double> distances(count);
     for (std::size_t i = begin; i < end; ++i) {
       inputs.write_from(i, distances);
-      std::vector<ExpectedRank> in_input = expected_ranks(distances, i, neighbours);
+      const std::vector<ExpectedRank> in_input = expected_ranks(distances, i, neighbours);
       const std::vector<double> squares = squared_grid_distances(som.grid(), winners[i]);
       for (std::size_t j = 0; j < count; ++j) distances[j] = squares[winners[j]];
       sums[i] = compare_ranks(in_input, expected_ranks(distances, i, neighbours));

@@ -47,6 +47,8 @@ TEST(Watershed, FillsTheShallowestBasins) {
   EXPECT_EQ(basins(heights, line_edges(7), 3), (Vertices{0, 0, 1, 1, 1, 1, 2}));
   EXPECT_EQ(basins(heights, line_edges(7), 2), (Vertices{0, 0, 0, 0, 0, 0, 1}));
   EXPECT_EQ(basins(heights, line_edges(7), 1), Vertices(7, 0));
+  // The basins of 17 and 18 are high, but shallower than those of 0 and 1.
+  EXPECT_EQ(basins({0, 5, 1, 20, 18, 19, 17}, line_edges(7), 3), (Vertices{0, 0, 1, 1, 2, 2, 2}));
 }
 
 TEST(Watershed, KeepsPartsWithoutAnEdge) {
