@@ -17,7 +17,7 @@ _INTERFACE = """MiniSom sigma learning_rate random_seed topology neighborhood_fu
 decay_function sigma_decay_function random_weights_init train train_batch train_random use_epochs
 fixed_points random_order verbose train_batch_offline update winner activate quantization
 quantization_error topographic_error distance_map scaling activation_response win_map return_indices
-labels_map get_weights get_euclidean_coordinates convert_map_to_euclidean pickle""".split()
+labels_map distortion_measure pca_weights_init get_weights get_euclidean_coordinates convert_map_to_euclidean pickle""".split()
 
 
 def rows():

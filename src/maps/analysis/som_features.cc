@@ -13,10 +13,10 @@
 namespace somato {
 namespace {
 
-constexpr double kNoVariance = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 double explained_share(double residual, double squares) {
-  return squares > 0.0 ? 1.0 - residual / squares : kNoVariance;
+  return squares > 0.0 ? 1.0 - residual / squares : kUndefined;
 }
 
 // All values of the samples, also of sparse ones.
@@ -98,7 +98,7 @@ std::vector<FeatureMeasures> FeatureMeasurement::features() const {
   for (std::size_t d = 0; d < features.size(); ++d) {
     features[d] =
         samples_ == 0
-            ? FeatureMeasures{kNoVariance, kNoVariance, kNoVariance}
+            ? FeatureMeasures{kUndefined, kUndefined, kUndefined}
             : FeatureMeasures{means_[d], std::sqrt(squares_[d] / static_cast<double>(samples_)),
                               explained_share(residuals_[d], squares_[d])};
   }
