@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy
 
 ROWS, COLUMNS = 50, 50
+PART = 4096  # samples that MiniSom takes at once: with all, its distances fill 6 GB
 LEARNED, CLASSES = 5000, 10  # samples that the map learns, and their labels
 
 
@@ -26,7 +27,8 @@ def minisom(samples, weights, threads):
     from minisom import MiniSom
     som = MiniSom(ROWS, COLUMNS, samples.shape[1])
     som._weights = weights.reshape(ROWS, COLUMNS, -1).astype(numpy.float64)
-    return numpy.argmin(som._distance_from_weights(samples), axis=1)
+    parts = [samples[first:first + PART] for first in range(0, len(samples), PART)]
+    return numpy.concatenate([numpy.argmin(som._distance_from_weights(part), axis=1) for part in parts])
 
 
 def faiss(samples, weights, threads):
