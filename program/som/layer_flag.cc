@@ -11,6 +11,7 @@
 #include "som/column_report.h"
 #include "somato/core/parameter.h"
 #include "somato/core/value.h"
+#include "somato/maps/layers.h"
 
 namespace somato::program {
 namespace {
@@ -96,6 +97,15 @@ Result<Layer> read_layer(const std::string& text, const RowData& rows) {
   return layer;
 }
 
+Result<std::vector<Layer>> checked_layers(std::vector<Layer> layers, std::size_t elements) {
+  SomParameters parameters;
+  parameters.layers = std::move(layers);
+  auto fits = check_layers(parameters, elements);
+  if (fits) return std::move(parameters.layers);
+  fits.error().where = kLayersFlag;
+  return fail(std::move(fits.error()));
+}
+
 }  // namespace
 
 Flag layers_flag() {
@@ -127,7 +137,7 @@ Result<std::vector<Layer>> read_layers(const Arguments& arguments, const RowData
     }
     end += layer.count;
   }
-  if (end == rows.size()) return layers;
+  if (end == rows.size()) return checked_layers(std::move(layers), end);
   return refuse_layer(fmt::format("column {} is in no layer",
                                   listed_columns(rows.columns, {rows.columns.features[end]})),
                       "put it into a layer, or leave it out with --skip");

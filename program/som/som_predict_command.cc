@@ -95,12 +95,12 @@ class LayerPrediction {
     return model_.features.empty() ? std::to_string(number + 1) : model_.features[number];
   }
 
-  // In the unit of the column.
-  double in_units(std::size_t column, float weight) const {
-    if (!whole_.standardization) return double{weight};
+  // In the unit of the column, as precise as data are.
+  float in_units(std::size_t column, float weight) const {
+    if (!whole_.standardization) return weight;
     const std::size_t number = layer_.first + column;
-    return whole_.standardization->means[number] +
-           whole_.standardization->deviations[number] * double{weight};
+    return static_cast<float>(whole_.standardization->means[number] +
+                              whole_.standardization->deviations[number] * double{weight});
   }
 
   // With the columns of the layer, which are missing.

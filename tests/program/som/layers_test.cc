@@ -47,7 +47,7 @@ TEST_F(Layers, ArePredictedFromTablesWithoutTheirColumns) {
               "sample,a,greatest\n1,-1,a\n2,2,a\n");
     EXPECT_EQ(output_of({"som", "predict", "x.map", "values.csv", "--layer", "kind"}),
               "sample,low,high,greatest\n1,1,0,low\n2,0,1,high\n");
-    EXPECT_EQ(output_of({"som", "map", "x.map", "rows.csv"}).substr(0, 6), "sample");
+    EXPECT_EQ(run({"som", "map", "x.map", "rows.csv"}).exit_code, 0);
   }
   output_of({"som", "predict", "x.map", "others.csv", "--layer", "first", "-o", "out.csv"});
   EXPECT_EQ(read("out.csv"), "sample,a,greatest\n1,-1,a\n2,2,a\n");
