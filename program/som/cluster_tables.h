@@ -11,16 +11,17 @@
 
 namespace somato::program {
 
-/// A map with clusters of its neurons, and what data say about them.
+/// A map with clusters of its neurons, and their samples.
 struct ClusteredMap {
   MapAndRows both;
   bool has_data = false;
-  SomMeasures measures;  ///< Of the data; empty without data.
+  SomMeasures measures;  ///< Measures for the data; empty without data.
   Clusters clusters;
   double index = 0.0;                   ///< The Davies-Bouldin index.
-  std::vector<ClusterSamples> samples;  ///< Of each cluster.
-  std::vector<std::string> names;       ///< Of each cluster; empty without classes.
-  std::vector<std::vector<FeatureDifference>> differences;  ///< Of each cluster; only with data.
+  std::vector<ClusterSamples> samples;  ///< One for each cluster.
+  std::vector<std::string> names;       ///< One for each cluster; empty without classes.
+  std::vector<std::vector<FeatureDifference>>
+      differences;  ///< One list for each cluster; only with data.
 };
 
 /// Finds samples and names: by the classes of the samples, or without labelled data by those of the

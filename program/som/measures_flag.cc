@@ -90,6 +90,7 @@ std::string add_tables(std::string name, std::vector<Table> rows, bool is_listed
 
 std::vector<Table> class_tables(const Classes& classes, const SomMeasures& measures) {
   std::vector<Table> tables;
+  tables.reserve(measures.classes.size());
   for (std::size_t c = 0; c < measures.classes.size(); ++c) {
     tables.push_back(table_of_class(classes.names[c], measures.classes[c]));
   }
@@ -98,6 +99,7 @@ std::vector<Table> class_tables(const Classes& classes, const SomMeasures& measu
 
 std::vector<Table> neuron_tables(const Grid& grid, const SomMeasures& measures) {
   std::vector<Table> tables;
+  tables.reserve(measures.neurons.size());
   for (std::size_t neuron = 0; neuron < measures.neurons.size(); ++neuron) {
     tables.push_back(table_of_neuron(grid, neuron, measures.neurons[neuron]));
   }

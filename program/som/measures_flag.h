@@ -12,12 +12,12 @@ namespace somato::program {
 /// The flag `--measures`, which selects measures of a map.
 Flag measures_flag();
 
-/// What the flag and the parameters of measures request.
+/// The request of the flag and of the parameters of measures.
 struct MeasuresRequest {
-  std::vector<SomMeasure> chosen;  ///< Of the whole map.
-  bool neurons = false;            ///< Of each neuron.
+  std::vector<SomMeasure> chosen;  ///< Measures of the whole map.
+  bool neurons = false;            ///< Whether each neuron is measured.
   bool lists_neurons = false;      ///< Whether neurons are listed in the text as well.
-  bool classes = false;            ///< Of each class.
+  bool classes = false;            ///< Whether each class is measured.
   MeasureParameters parameters;
 
   bool any() const { return !chosen.empty() || neurons || classes; }

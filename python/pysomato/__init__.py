@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from ._somato import __version__
 
 if TYPE_CHECKING:
+    from .analysis import *
     from .codes import *
     from .drawing import *
     from .errors import *
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from .t_mpsom import *
 
 _NAMES_OF = {
+    "analysis": ["MapAnalysis", "MapClusters", "MapMeasures"],
     "codes": ["OneHot", "Spectrum", "TensorProduct"],
     "drawing": ["Drawing", "Page"],
     "errors": ["ConversionWarning", "DataError", "DataTypeError", "Error", "LabelWarning", "LeftOutWarning",

@@ -7,7 +7,7 @@ import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
 
 from . import _somato
-from ._analysis import MapAnalysis
+from .analysis import MapAnalysis
 from ._labels import labels_of, places_of, warn_of_doubtful
 from ._numbers import number_of_threads, seed_of
 from ._progress import shown

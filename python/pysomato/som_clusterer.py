@@ -70,6 +70,10 @@ class SOMClusterer(ClusterMixin, SOM):
         check_fitted(self, "neuron_labels_")
         return self.neuron_labels_[super().predict(X)]
 
+    def score(self, X, y=None) -> float:
+        """The negative quantization error; y is ignored."""
+        return super().score(X)
+
     def _map_parameters(self):
         return {name: value for name, value in super()._map_parameters().items()
                 if name not in _OF_CLUSTERS}

@@ -11,10 +11,11 @@ from sklearn.pipeline import make_pipeline
 from sklearn.preprocessing import StandardScaler
 from sklearn.utils.estimator_checks import parametrize_with_checks
 
-from pysomato import SOM, TMPSOM, OneHot, SOMClassifier, Spectrum, TensorProduct
+from pysomato import SOM, TMPSOM, OneHot, SOMClassifier, SOMClusterer, Spectrum, TensorProduct
 
 
 @parametrize_with_checks([SOM(4, 4, iterations=100, threads=1), SOMClassifier(4, 4, iterations=500, threads=1),
+                          SOMClusterer(6, 6, iterations=500, threads=1),
                           TMPSOM((3, 4), iterations=100), OneHot(), TensorProduct(), Spectrum(100, bands=4)])
 def test_scikit_learns_checks(estimator, check):
     check(estimator)

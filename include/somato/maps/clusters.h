@@ -92,9 +92,9 @@ struct ClusterParameters {
 /// samples or not.
 ///
 /// Without `count`, the number with the best index from 2 to `most_clusters` is selected, the lower
-/// one in a tie; equal weights are one cluster, and the watershed gives as many as the U-matrix has
-/// basins. With `count`, it fills the shallowest basin into its lowest neighbour until so many are
-/// left.
+/// one in a tie; weights that are equal up to rounding, 2^-20 of the greatest, are one cluster, and
+/// the watershed gives as many as the U-matrix has basins. With `count`, it fills the shallowest
+/// basin into its lowest neighbour until so many are left.
 ///
 /// Errors (kUsage): more clusters than neurons that count, or than basins; no hits with `by_hits`;
 /// a parameter that has no effect with the method. Throws InvalidArgument if `hits` has another
@@ -128,7 +128,7 @@ struct ClusterSamples {
   double purity = 0.0;              ///< The share of its samples with that class.
 };
 
-/// What the samples say about each cluster; `winners[i]` and `classes[i]` belong to sample i.
+/// The samples of each cluster; `winners[i]` and `classes[i]` belong to sample i.
 /// `classes` may be empty. Throws InvalidArgument if sizes differ or a winner is not on the map.
 std::vector<ClusterSamples> samples_of_clusters(const Grid& grid, const Clusters& clusters,
                                                 const std::vector<std::size_t>& winners,

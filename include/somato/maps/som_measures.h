@@ -71,7 +71,7 @@ struct MeasureParameters {
 /// The samples that one neuron wins.
 struct NeuronMeasures {
   std::size_t samples = 0;
-  double share = 0.0;              ///< Of all samples.
+  double share = 0.0;              ///< The share of all samples.
   double mean_distance = 0.0;      ///< From the neuron; NaN without samples.
   double greatest_distance = 0.0;  ///< From the neuron; NaN without samples.
 };
@@ -94,12 +94,13 @@ struct ClassMeasures {
 
 /// Measures of a map for samples.
 struct SomMeasures {
-  std::map<SomMeasure, double> values;    ///< Of the chosen measures; NaN where not defined.
-  std::size_t ranked_samples = 0;         ///< Samples whose distances have been ranked.
-  std::vector<std::size_t> winners;       ///< Of each sample.
-  std::vector<NeuronMeasures> neurons;    ///< Of each neuron.
-  std::vector<ClassMeasures> classes;     ///< Of each class; empty without classes.
-  std::vector<FeatureMeasures> features;  ///< Of each feature, if explained variance is chosen.
+  std::map<SomMeasure, double> values;  ///< The chosen measures; NaN if not defined.
+  std::size_t ranked_samples = 0;       ///< Samples whose distances have been ranked.
+  std::vector<std::size_t> winners;     ///< The winner of each sample.
+  std::vector<NeuronMeasures> neurons;  ///< One for each neuron.
+  std::vector<ClassMeasures> classes;   ///< One for each class; empty without classes.
+  std::vector<FeatureMeasures>
+      features;  ///< One for each feature, if explained variance is chosen.
 };
 
 /// Measures a map for samples that are provided in parts. The division into parts and the number of
@@ -148,7 +149,7 @@ SomMeasures measure_som(const Som& som, const Samples& samples, std::vector<SomM
 /// the other features: what the features have in common is lost, and each keeps its values.
 Samples with_shuffled_features(const Samples& samples, std::uint64_t seed);
 
-/// What chance gives: the same measures for `parameters.shuffles` maps, each trained with the
+/// The measures that chance gives: those of `parameters.shuffles` maps, each trained with the
 /// parameters of `som` on shuffled samples and measured for these. Shuffle i has the seed `seed +
 /// i`. Takes as long as so many trainings and measurements, and memory for a second copy of the
 /// samples; `progress` counts shuffles. Errors: kUsage for a map that grows, which training cannot

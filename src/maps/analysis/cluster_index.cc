@@ -67,6 +67,7 @@ std::vector<double> silhouettes(const WeightedPoints& points,
                                 const std::vector<std::size_t>& counts) {
   std::vector<double> totals(clusterings.size());
   std::vector<std::vector<double>> weights;
+  weights.reserve(clusterings.size());
   for (std::size_t k = 0; k < clusterings.size(); ++k) {
     weights.push_back(weights_of(points, clusterings[k], counts[k]));
   }

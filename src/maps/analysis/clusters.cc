@@ -114,8 +114,14 @@ std::vector<ClusterMerge> merges_of_neurons(const std::vector<ClusterMerge>& mer
 }
 
 bool are_equal(const WeightedPoints& points) {
-  for (std::size_t i = 1; i < points.count(); ++i) {
-    if (squared_distance(points.rows.row(0), points.rows.row(i)) > 0.0) return false;
+  for (std::size_t d = 0; d < points.rows.columns(); ++d) {
+    double low = points.rows(0, d);
+    double high = low;
+    for (std::size_t i = 1; i < points.count(); ++i) {
+      low = std::min(low, points.rows(i, d));
+      high = std::max(high, points.rows(i, d));
+    }
+    if (differ(low, high)) return false;
   }
   return true;
 }

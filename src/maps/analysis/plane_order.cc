@@ -20,11 +20,10 @@ struct ScaledPlanes {
   std::vector<std::size_t> constant;
 };
 
-// Scales to mean 0 and length 1; returns false if all values are equal.
+// Scales to mean 0 and length 1; returns false for a constant plane.
 bool scale_plane(std::vector<double>& plane) {
-  if (std::adjacent_find(plane.begin(), plane.end(), std::not_equal_to<>()) == plane.end()) {
-    return false;
-  }
+  const auto [low, high] = std::minmax_element(plane.begin(), plane.end());
+  if (!differ(*low, *high)) return false;
   double mean = 0.0;
   for (const double value : plane) mean += value / static_cast<double>(plane.size());
   double squares = 0.0;
@@ -69,7 +68,8 @@ std::vector<std::size_t> leaves(const std::vector<ClusterMerge>& merges) {
   return members.back();
 }
 
-// As many groups as the index selects among all numbers below that of the planes.
+// As many groups as the silhouette selects, because the Davies-Bouldin index prefers groups of one
+// plane when there are few.
 PointClusters plane_groups(const WeightedPoints& planes, const std::vector<ClusterMerge>& merges) {
   if (planes.count() < 3) return cut_merges(merges, planes.count());
   constexpr std::size_t kMostGroups = 20;
@@ -79,7 +79,7 @@ PointClusters plane_groups(const WeightedPoints& planes, const std::vector<Clust
     tried.push_back(cut_merges(merges, count));
     counts.push_back(count);
   }
-  return tried[best_clustering(planes, tried, counts, ClusterIndex::kDaviesBouldin)];
+  return tried[best_clustering(planes, tried, counts, ClusterIndex::kSilhouette)];
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ double real_of(std::size_t count) {
   return static_cast<double>(count);
 }
 
-// What is expected of the rank of a sample among the others by their distances, when equal
-// distances are in a random order.
+// The expected rank of a sample among the others by their distances, when equal distances are in a
+// random order.
 struct ExpectedRank {
   double inside = 0.0;  // the probability that it is among the k nearest
   double beyond = 0.0;  // the mean of max(0, rank - k)
@@ -86,7 +86,7 @@ RankMeasures measure_ranks(const Som& som, const Samples& samples,
     std::vector<double> distances(count);
     for (std::size_t i = begin; i < end; ++i) {
       inputs.write_from(i, distances);
-      std::vector<ExpectedRank> in_input = expected_ranks(distances, i, neighbours);
+      const std::vector<ExpectedRank> in_input = expected_ranks(distances, i, neighbours);
       const std::vector<double> squares = squared_grid_distances(som.grid(), winners[i]);
       for (std::size_t j = 0; j < count; ++j) distances[j] = squares[winners[j]];
       sums[i] = compare_ranks(in_input, expected_ranks(distances, i, neighbours));

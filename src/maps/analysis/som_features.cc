@@ -72,7 +72,7 @@ void FeatureMeasurement::add_to_groups(const Samples& samples,
     for (std::size_t i = 0; i < rows.rows(); ++i) {
       const std::size_t group =
           group_of_neuron_.empty() ? group_samples_.size() : group_of_neuron_[winners[i]];
-      const double seen = static_cast<double>(samples_ + i + 1);
+      const auto seen = static_cast<double>(samples_ + i + 1);
       for (std::size_t d = begin; d < end; ++d) {
         const double value{rows(i, d)};
         const double change = value - means_[d];

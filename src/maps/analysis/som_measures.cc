@@ -110,7 +110,7 @@ std::vector<ClassMeasures> measures_of_classes(const std::vector<NeuronMeasures>
     of.quantization_error = quotient(of.quantization_error, of.samples);
     of.entropy = of.samples == 0 ? kNoSamples : entropy_of(hits[c], of.samples);
     for (const auto& [neuron, count] : hits[c]) {
-      const double own = static_cast<double>(count);
+      const auto own = static_cast<double>(count);
       of.purity += own * quotient(own, neurons[neuron].samples);
     }
     of.purity = quotient(of.purity, of.samples);

@@ -20,6 +20,11 @@ ClusterMeans::ClusterMeans(const WeightedPoints& points, const PointClusters& cl
   }
 }
 
+bool differ(double low, double high) {
+  constexpr double kRounding = 1.0 / (1 << 20);
+  return high - low > kRounding * std::max(std::abs(low), std::abs(high));
+}
+
 double squared_distance(std::span<const double> a, std::span<const double> b) {
   double sum = 0.0;
   for (std::size_t d = 0; d < a.size(); ++d) {

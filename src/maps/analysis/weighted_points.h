@@ -27,6 +27,10 @@ struct ClusterMeans {
   ClusterMeans(const WeightedPoints& points, const PointClusters& clusters, std::size_t count);
 };
 
+/// Whether numbers from `low` to `high` differ by more than training in single precision rounds: by
+/// more than 2^-20 of the greatest absolute number, which is a few units in the last place.
+bool differ(double low, double high);
+
 double squared_distance(std::span<const double> a, std::span<const double> b);
 
 /// The same clusters, numbered in the order of their first points.

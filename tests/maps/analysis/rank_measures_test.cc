@@ -45,7 +45,7 @@ Order ranks_around(std::size_t i, const std::vector<double>& place, const Order&
 
 // The definitions of the papers, for one order of ties in each space.
 RankMeasures ranks_by_definition(const std::vector<double>& input, const std::vector<double>& map,
-                           std::size_t k, const Order& of_input, const Order& of_map) {
+                                 std::size_t k, const Order& of_input, const Order& of_map) {
   const std::size_t n = input.size();
   double trust = 0.0;
   double continuity = 0.0;

@@ -19,8 +19,8 @@ double value_of(const Samples& samples, std::size_t i, std::size_t d) {
 }
 
 // By the definition, in two passes.
-FeatureMeasures feature_by_definition(const Som& som, const Samples& samples, const Numbers& winners,
-                              std::size_t d) {
+FeatureMeasures feature_by_definition(const Som& som, const Samples& samples,
+                                      const Numbers& winners, std::size_t d) {
   const auto count = static_cast<double>(samples.count());
   FeatureMeasures of;
   for (std::size_t i = 0; i < samples.count(); ++i) of.mean += value_of(samples, i, d) / count;
@@ -71,7 +71,8 @@ Som neurons_at_0_and_10() {
 // Column 0 is -1, 1, 9, 11; column 1 is 2, 0, 0, 2; column 2 is constant.
 TEST(FeatureMeasurement, ComparesGroupsWithAll) {
   const Samples samples(Matrix<float>(4, 3, {-1, 2, 5, 1, 0, 5, 9, 0, 5, 11, 2, 5}));
-  FeatureMeasurement measurement(neurons_at_0_and_10(), 1, {0, 7}, 2);
+  const Som som = neurons_at_0_and_10();
+  FeatureMeasurement measurement(som, 1, {0, 7}, 2);
   const Numbers winners{0, 0, 1, 1};
   measurement.add(samples, winners);
   const std::vector<FeatureDifference> differences = measurement.differences(0);
@@ -126,8 +127,11 @@ Som with_planes(const std::vector<std::vector<float>>& planes) {
 
 // 0 and 3 are proportional, 1 and 4 too; 2 is constant.
 TEST(PlaneOrder, PutsSimilarPlanesBesideEachOther) {
-  const Som som = with_planes(
-      {{1, 2, 3, 4}, {1, -1, 1, -1}, {7, 7, 7, 7}, {10, 20, 30, 41}, {100, -100, 100, -101}});
+  const Som som = with_planes({{1, 2, 3, 4},
+                               {1, -1, 1, -1},
+                               {7, 7, 7.000001F, 7},
+                               {10, 20, 30, 41},
+                               {100, -100, 100, -101}});
   const PlaneOrder order = order_planes(som);
   EXPECT_EQ(order.order, (Numbers{0, 3, 1, 4, 2}));
   EXPECT_EQ(order.group_of_feature, (Numbers{0, 1, 2, 0, 1}));

@@ -51,7 +51,8 @@ bool touch(const PointEdges& edges, const Members& a, const Members& b) {
 }
 
 // Ward's definition: the pair whose union increases the spread least, among those that touch.
-std::vector<ClusterMerge> merges_by_definition(const WeightedPoints& points, const PointEdges* edges) {
+std::vector<ClusterMerge> merges_by_definition(const WeightedPoints& points,
+                                               const PointEdges* edges) {
   std::vector<std::pair<std::size_t, Members>> clusters;
   for (std::size_t i = 0; i < points.count(); ++i) clusters.push_back({i, {i}});
   std::vector<ClusterMerge> merges;
@@ -74,7 +75,7 @@ std::vector<ClusterMerge> merges_by_definition(const WeightedPoints& points, con
     }
     Members both = clusters[a].second;
     both.insert(clusters[b].second.begin(), clusters[b].second.end());
-    const auto [low, high] = std::minmax(clusters[a].first, clusters[b].first);
+    const auto [low, high] = std::minmax({clusters[a].first, clusters[b].first});
     merges.push_back({low, high, std::sqrt(2 * least), both.size()});
     clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(b));
     clusters[a] = {points.count() + merges.size() - 1, both};

@@ -22,11 +22,13 @@ std::vector<Vertices> line_edges(std::size_t count) {
   return edges_of(Grid(1, count, Lattice::kRectangular, Topology::kPlane));
 }
 
+// A ridge goes to its lower neighbour, or to the one of the lower number.
 TEST(Watershed, FindsTheBasinsOfALine) {
-  EXPECT_EQ(basins({2, 1, 2, 5, 2, 0, 1}, line_edges(7)), (Vertices{0, 0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(basins({2, 1, 2, 5, 1.5, 0, 1}, line_edges(7)), (Vertices{0, 0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(basins({2, 1, 2, 5, 2, 0, 1}, line_edges(7)), (Vertices{0, 0, 0, 0, 1, 1, 1}));
 }
 
-// The ridge of height 5 goes to the lower neighbour; the plateau of 3 is divided in the middle.
+// A plateau of 3 is divided in the middle.
 TEST(Watershed, DividesPlateausBySteps) {
   EXPECT_EQ(basins({0, 3, 3, 3, 3, 1}, line_edges(6)), (Vertices{0, 0, 0, 1, 1, 1}));
   EXPECT_EQ(basins({0, 3, 3, 3, 1}, line_edges(5)), (Vertices{0, 0, 0, 1, 1}));
@@ -45,6 +47,8 @@ TEST(Watershed, FillsTheShallowestBasins) {
   EXPECT_EQ(basins(heights, line_edges(7), 3), (Vertices{0, 0, 1, 1, 1, 1, 2}));
   EXPECT_EQ(basins(heights, line_edges(7), 2), (Vertices{0, 0, 0, 0, 0, 0, 1}));
   EXPECT_EQ(basins(heights, line_edges(7), 1), Vertices(7, 0));
+  // The basins of 17 and 18 are high, but shallower than those of 0 and 1.
+  EXPECT_EQ(basins({0, 5, 1, 20, 18, 19, 17}, line_edges(7), 3), (Vertices{0, 0, 1, 1, 2, 2, 2}));
 }
 
 TEST(Watershed, KeepsPartsWithoutAnEdge) {

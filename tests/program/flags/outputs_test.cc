@@ -49,6 +49,10 @@ TEST_F(Outputs, AreNeverWhatIsRead) {
   const std::vector<ReadingCommand> commands{
       {{"som", "train", "data.csv", "--labels", "labels.txt"}, {"data.csv", "labels.txt"}},
       {{"som", "map", "good.map", "data.csv"}, {"good.map", "data.csv"}, {"-o", "--activity"}},
+      {{"som", "cluster", "good.map", "data.csv", "--labels", "labels.txt"},
+       {"good.map", "data.csv", "labels.txt"},
+       {"-o", "--samples", "--features", "--merges"}},
+      {{"som", "features", "good.map", "data.csv"}, {"good.map", "data.csv"}},
       {{"som", "plot", "good.map", "data.csv", "--labels", "labels.txt"},
        {"good.map", "data.csv", "labels.txt"}},
       {{"import", "csv", "in", "--description", "in.toml"}, {"in/a_1.csv", "in.toml"}},

@@ -1,4 +1,4 @@
-"""What a trained map tells: measures, clusters of its neurons, features."""
+"""Measures of a trained map, clusters of its neurons, and its features."""
 
 import numpy as np
 
@@ -64,16 +64,20 @@ class MapClusters:
         merges: The merges of Ward's method as a linkage matrix of scipy, float64 of (neurons - 1, 4),
             for ``scipy.cluster.hierarchy.dendrogram``; None for other methods.
         davies_bouldin_index: The index of these clusters.
+        outlines: For each cluster a list of closed lines around its neurons, float64 of
+            (corners + 1, 2) with x and y in widths of a cell, as ``SOM.plot`` draws them: one for each
+            connected region, and for each hole in it.
         names: The class of most samples of ``fit`` in each cluster, or None where no sample has a
             label; None for a map that was trained without labels.
     """
 
-    def __init__(self, labels, merges, index, names, samples):
+    def __init__(self, labels, merges, index, names, samples, cells):
         self.labels = labels
         self.count = int(labels.max()) + 1
         self.merges = merges if len(merges) else None
         self.davies_bouldin_index = index
         self.names = names
+        self.outlines = [_outlines(cells[labels == cluster]) for cluster in range(self.count)]
         self._samples = samples
 
     @property
@@ -87,7 +91,7 @@ class MapClusters:
 
 
 class MapAnalysis:
-    """The methods of estimators of maps that analyse a trained map."""
+    """The methods of ``SOM`` and its subclasses that analyse a trained map."""
 
     def measures(self, X, y=None, *, measures="all", neighbours=5, ranked_samples=2000, shuffles=0,
                  seed=1) -> MapMeasures:
@@ -157,7 +161,7 @@ class MapAnalysis:
         labels, merges, value = _somato.clusters(self.map_, parameters,
                                                  _NONE if hits is None else np.asarray(hits, np.int64))
         names, samples = self._cluster_samples(labels)
-        return MapClusters(labels, merges, value, names, samples)
+        return MapClusters(labels, merges, value, names, samples, self.map_.cells())
 
     def features(self, X):
         """How much of each feature's variance the map explains, and which planes are alike.
@@ -225,3 +229,25 @@ class MapAnalysis:
                                         np.asarray(numbers, np.int64)[known])
         samples["purity"] = named["purity"]
         return [self.classes_[name] if name >= 0 else None for name in named["name"]], samples
+
+
+def _outlines(cells):
+    """The closed lines around cells, which are (cells, corners, 2) and share exact corners."""
+    corners = {}
+    edges = {}
+    for cell in cells:
+        keys = [tuple(np.rint(corner * 2**20).astype(int)) for corner in cell]
+        corners.update(zip(keys, cell))
+        for start, end in zip(keys, keys[1:] + keys[:1]):
+            if start in edges.get(end, ()):
+                edges[end].remove(start)  # a border within, which the two cells pass in opposite ways
+            else:
+                edges.setdefault(start, []).append(end)
+    lines = []
+    for first in list(edges):
+        while edges[first]:
+            line = [first, edges[first].pop(0)]
+            while line[-1] != first:
+                line.append(edges[line[-1]].pop(0))
+            lines.append(np.array([corners[key] for key in line], np.float64))
+    return lines
