@@ -8,6 +8,11 @@ namespace {
 // Pictures of a map of two groups of points in a plane, with hostile names.
 class PlotPanels : public ProgramTest {
  protected:
+  static Words with(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
   void SetUp() override {
     ProgramTest::SetUp();
     std::string table = "x,a & <b>,class\n";
