@@ -9,7 +9,7 @@
 #include "flags/commands.h"
 #include "som/column_report.h"
 #include "som/data.h"
-#include "som/memory_flag.h"
+#include "flags/memory_flag.h"
 #include "som/processes.h"
 #include "som/row_output.h"
 #include "somato/files/csv.h"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "flags/layout_flag.h"
-#include "views/skins/channel_places.h"
 #include "recordings/explorations/recording_json.h"
+#include "views/skins/channel_places.h"
 
 namespace somato::program {
 namespace {

@@ -298,7 +298,7 @@ void bind_pictures(nb::module_& module) {
       .def("svg", &MapPicture::svg, nb::arg("title"));
   module.def("component_plane", &plane, nb::arg("map"), nb::arg("element"));
   module.attr("most_trajectory_samples") = kMostTrajectorySamples;
-  module.def("clusters_by_name", &clusters_of, nb::arg("map"), nb::arg("method"));
+  module.def("named_clusters", &clusters_of, nb::arg("map"), nb::arg("method"));
   module.def("edge_cells", &edge_cells, nb::arg("map"));
   module.def("outlines", &outlines_of, nb::arg("map"), nb::arg("clusters").noconvert());
   module.def("projection", &projection, nb::arg("map"));

@@ -68,6 +68,13 @@ class PanelPlots:
         else:
             of_neuron = [(neuron, name) for neuron, name in enumerate(self.map.neuron_labels) if name is not None]
         add_cells(axes, corners, facecolors="none", edgecolors="0.7")
+        shown = list(dict.fromkeys(name for _, name in of_neuron))
+        if not _fit_in_cells(axes, shown):
+            # Numbers, which the legend explains.
+            for number, name in enumerate(shown, 1):
+                axes.plot([], [], linestyle="none", label=f"{number}  {name}")
+            of_neuron = [(neuron, str(shown.index(name) + 1)) for neuron, name in of_neuron]
+            _legend(axes)
         for neuron, name in of_neuron:
             axes.text(*corners[neuron].mean(axis=0), name, ha="center", va="center", fontsize="x-small",
                       parse_math=False, clip_on=True)
@@ -175,6 +182,20 @@ def add_cells(axes, corners, **style):
     axes.set_aspect("equal")
     axes.set_axis_off()
     return cells
+
+
+def _fit_in_cells(axes, names):
+    """Whether names can be written side by side into cells, whose width is the unit of the axes."""
+    extent = axes.get_window_extent()
+    pixels = min(extent.width / abs(np.diff(axes.get_xlim())[0]), extent.height / abs(np.diff(axes.get_ylim())[0]))
+    points = pixels * 72 / axes.figure.dpi
+    return max(map(len, names), default=0) * 0.55 * 0.7 * _font_size() <= points
+
+
+def _font_size():
+    from matplotlib import rcParams
+
+    return rcParams["font.size"]
 
 
 # The marks of classes in src/maps/svg/colours.cc: the colours of Okabe and Ito, and shapes.

@@ -166,7 +166,7 @@ class MapData(PanelPlots):
         if clusters is None:
             return None
         if isinstance(clusters, str):
-            return _somato.clusters_by_name(self.map, clusters)
+            return _somato.named_clusters(self.map, clusters)
         numbers = np.asarray(clusters)
         neurons = len(self.map.weights())
         if numbers.shape != (neurons,) or numbers.dtype.kind not in "iu" or numbers.min() < 0:

@@ -293,6 +293,15 @@ def test_axes_show_every_panel(som, X, labels, axes):
     assert len(pyplot.get_fignums()) == open_figures
 
 
+def test_names_too_long_for_cells_are_numbers_with_a_legend(som, X, axes):
+    short = som.plot("label_text", X, ["ab"] * len(X), ax=axes)
+    assert short.get_legend() is None and {text.get_text() for text in short.texts} == {"ab"}
+    axes.clear()
+    som.plot("label_text", X, ["w" * 60] * len(X), ax=axes)
+    assert {text.get_text() for text in axes.texts} == {"1"}
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["1  " + "w" * 60]
+
+
 def test_axes_show_a_column_by_its_name(X, axes):
     pandas = pytest.importorskip("pandas")
     frame = pandas.DataFrame(X, columns=["aperture_mm", "hits", *[f"joint{i}" for i in range(X.shape[1] - 2)]])

@@ -39,11 +39,11 @@ struct EdgeValue {
   double value = 0.0;
 };
 
-/// An expanded U-matrix (Ultsch and Siemon 1990): between the cells of two neighbours is a cell with
-/// the value of the edge between them, and neurons are marked by a dot. Cells of all values that
-/// have the same place have their mean: on a rectangular grid, the two diagonals of four neurons.
-/// On a torus, edges across its border are at the right and at the bottom. On a graph, the edges
-/// are lines between the cells.
+/// An expanded U-matrix (Ultsch and Siemon 1990): between the cells of two neighbours is a cell
+/// with the value of the edge between them, and neurons are marked by a dot. Cells of all values
+/// that have the same place have their mean: on a rectangular grid, the two diagonals of four
+/// neurons. On a torus, edges across its border are at the right and at the bottom. On a graph, the
+/// edges are lines between the cells.
 struct EdgePanel {
   std::string title{};
   Grid grid{};
@@ -60,14 +60,14 @@ enum class LabelMarks {
   kText,     ///< The name of the class that most samples have.
 };
 
-/// A map with the classes of the samples at their winners, and a legend. Cells of winners are filled
-/// with the colour of the majority of their samples (NeuronLabels::by_majority), the others with a
-/// lighter colour according to their area (WinnerAreas).
+/// A map with the classes of the samples at their winners, and a legend. Cells of winners are
+/// filled with the colour of the majority of their samples (NeuronLabels::by_majority), the others
+/// with a lighter colour according to their area (WinnerAreas).
 ///
-/// Markers have the shape and colour of a class. The samples of a neuron are placed side by side; if
-/// they do not fit, there is one marker per class with their number. Slices of a pie that are large
-/// enough have the marker of their class. Names that do not fit into their cells are replaced by
-/// numbers, which the legend explains.
+/// Markers have the shape and colour of a class. The samples of a neuron are placed side by side;
+/// if they do not fit, there is one marker per class with their number. Slices of a pie that are
+/// large enough have the marker of their class. Names that do not fit into their cells are replaced
+/// by numbers, which the legend explains.
 struct LabelPanel {
   std::string title{};
   Grid grid{};
@@ -95,10 +95,11 @@ constexpr std::size_t kMostTrajectorySamples = 1000;
 struct TrajectoryPanel {
   std::string title{};
   Grid grid{};
-  std::vector<double> values{};        ///< Shades of grey, darker for greater ones: one per neuron or none.
-  std::vector<std::size_t> winners{};  ///< In their order; 1 to kMostTrajectorySamples.
-  std::size_t first_number = 1;        ///< The number of the first sample.
-  std::string note{};                  ///< Below the map; may be empty.
+  std::vector<double>
+      values{};  ///< Shades of grey, darker for greater ones: one per neuron or none.
+  std::vector<std::size_t> winners{};   ///< In their order; 1 to kMostTrajectorySamples.
+  std::size_t first_number = 1;         ///< The number of the first sample.
+  std::string note{};                   ///< Below the map; may be empty.
   std::vector<std::size_t> clusters{};  ///< As of a ValuePanel.
 };
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "views/skins/channel_places.h"
 #include "recordings/explorations/recording_json.h"
+#include "views/skins/channel_places.h"
 
 namespace somato::live {
 namespace {

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "views/skins/channel_places.h"
 #include "studies/results/results_json.h"
 #include "systems/graph/graph_json.h"
 #include "views/report/curves.h"
@@ -18,6 +17,7 @@
 #include "views/report/samples_json.h"
 #include "views/report/summary_json.h"
 #include "views/report/trained_json.h"
+#include "views/skins/channel_places.h"
 
 namespace somato {
 namespace {

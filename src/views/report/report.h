@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "views/skins/channel_places.h"
 #include "somato/core/result.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
 #include "views/report/results_file.h"
+#include "views/skins/channel_places.h"
 
 namespace somato {
 

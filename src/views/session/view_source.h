@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "views/skins/channel_places.h"
 #include "recordings/file/growing_recording.h"
 #include "somato/bodies/explorer.h"
 #include "somato/bodies/exploring.h"
@@ -18,6 +17,7 @@
 #include "somato/recording/layout.h"
 #include "somato/recording/recording.h"
 #include "views/session/reading_sink.h"
+#include "views/skins/channel_places.h"
 
 namespace somato {
 

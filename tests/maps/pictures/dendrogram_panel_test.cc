@@ -38,8 +38,8 @@ TEST(DendrogramPanel, HeightsAreProportional) {
   ASSERT_EQ(paths.size(), 2U);  // two merges within clusters, one of them
   double left[3];
   double y[3];
-  ASSERT_EQ(std::sscanf(paths[0]["d"].c_str(), "M%lf %lfL%lf %lf", &left[0], &y[0], &left[1], &y[1]),
-            4);
+  ASSERT_EQ(
+      std::sscanf(paths[0]["d"].c_str(), "M%lf %lfL%lf %lf", &left[0], &y[0], &left[1], &y[1]), 4);
   EXPECT_EQ(left[0], left[1]);
   const double whole = 240.0;
   EXPECT_NEAR(y[0] - y[1], whole / 10, 0.02);

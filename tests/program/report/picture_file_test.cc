@@ -14,7 +14,8 @@ bool has_chromium() {
 // A number in four bytes, the highest first, as PNG files have the size of a picture.
 std::size_t big_endian(const std::string& bytes, std::size_t at) {
   std::size_t number = 0;
-  for (std::size_t i = 0; i < 4; ++i) number = 256 * number + static_cast<unsigned char>(bytes[at + i]);
+  for (std::size_t i = 0; i < 4; ++i)
+    number = 256 * number + static_cast<unsigned char>(bytes[at + i]);
   return number;
 }
 

@@ -8,11 +8,17 @@ namespace {
 // Pictures of a map of two groups of points in a plane, with hostile names.
 class PlotPanels : public ProgramTest {
  protected:
+  static Words with(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
   void SetUp() override {
     ProgramTest::SetUp();
     std::string table = "x,a & <b>,class\n";
     for (int i = 0; i < 12; ++i) {
-      table += fmt::format("{},{},{}\n", i % 3 + (i % 2) * 10, i, i % 2 == 0 ? "<even>" : "odd & \"1\"");
+      table +=
+          fmt::format("{},{},{}\n", i % 3 + (i % 2) * 10, i, i % 2 == 0 ? "<even>" : "odd & \"1\"");
     }
     write("t.csv", table);
     output_of({"som", "train", "t.csv", "--label-column", "class", "-o", "t.somato", "--rows", "3",
@@ -31,14 +37,13 @@ bool has(const std::string& text, const std::string& part) {
 }
 
 TEST_F(PlotPanels, EveryPanelIsDrawnByItsName) {
-  const std::pair<std::string, std::string> titles[] = {
-      {"u_matrix_edges", ">U-matrix with edges<"},
-      {"label_text", ">Label text<"},
-      {"pies", ">Classes<"},
-      {"clusters", ">Clusters<"},
-      {"dendrogram", ">Dendrogram<"},
-      {"projection", ">Projection<"},
-      {"trajectory", ">Trajectory<"}};
+  const std::pair<std::string, std::string> titles[] = {{"u_matrix_edges", ">U-matrix with edges<"},
+                                                        {"label_text", ">Label text<"},
+                                                        {"pies", ">Classes<"},
+                                                        {"clusters", ">Clusters<"},
+                                                        {"dendrogram", ">Dendrogram<"},
+                                                        {"projection", ">Projection<"},
+                                                        {"trajectory", ">Trajectory<"}};
   for (const auto& [panel, title] : titles) {
     const std::string svg = drawn({"--panels", panel});
     EXPECT_TRUE(has(svg, title)) << panel;
