@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/core/threads.h"
+#include "maps/reading/known_elements.h"
 #include "maps/reading/winner_search.h"
-#include "maps/som/known_elements.h"
 #include "somato/core/check.h"
 
 namespace somato {

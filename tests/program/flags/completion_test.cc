@@ -39,7 +39,7 @@ class Completion : public ProgramTest {
 TEST_F(Completion, KnowsCommandsAndTheirWords) {
   EXPECT_EQ(completed({"re"}), (Words{"reproduce", "report", "recover", "reference"}));
   EXPECT_EQ(completed({"so"}), (Words{"som"}));
-  EXPECT_EQ(completed({"som", ""}), (Words{"train", "map", "quality", "plot"}));
+  EXPECT_EQ(completed({"som", ""}), (Words{"train", "map", "quality", "plot", "predict"}));
   EXPECT_EQ(completed({"nothing", ""}), Words{});
 }
 
