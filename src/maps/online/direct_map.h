@@ -8,7 +8,7 @@
 #include "base/core/thread_team.h"
 #include "maps/grid/neighbourhood.h"
 #include "maps/online/online_map.h"
-#include "maps/som/known_elements.h"
+#include "maps/reading/known_elements.h"
 #include "somato/core/matrix.h"
 #include "somato/maps/som.h"
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "maps/som/similarity_scores.h"
+#include "maps/reading/similarity_scores.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
 

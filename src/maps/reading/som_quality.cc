@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "maps/reading/known_elements.h"
 #include "maps/reading/sample_reader.h"
-#include "maps/som/known_elements.h"
 #include "somato/core/check.h"
 
 namespace somato {

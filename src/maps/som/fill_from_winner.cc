@@ -8,7 +8,7 @@
 
 #include "base/core/lanes.h"
 #include "base/core/threads.h"
-#include "maps/som/known_elements.h"
+#include "maps/reading/known_elements.h"
 #include "somato/core/check.h"
 #include "somato/core/matrix.h"
 

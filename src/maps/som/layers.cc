@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "maps/reading/similarity_scores.h"
 #include "maps/som/fill_from_winner.h"
-#include "maps/som/similarity_scores.h"
 #include "somato/core/check.h"
 
 namespace somato {

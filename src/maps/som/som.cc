@@ -8,9 +8,9 @@
 #include "base/core/lanes.h"
 #include "base/kernels/batch_kernels.h"
 #include "maps/grid/activity.h"
-#include "maps/som/known_elements.h"
+#include "maps/reading/known_elements.h"
+#include "maps/reading/similarity_scores.h"
 #include "maps/som/product_reading.h"
-#include "maps/som/similarity_scores.h"
 #include "somato/core/check.h"
 
 namespace somato {

@@ -1,4 +1,4 @@
-#include "maps/som/similarity_scores.h"
+#include "maps/reading/similarity_scores.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "maps/som/known_elements.h"
+#include "maps/reading/known_elements.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/core/lanes.h"
-#include "maps/som/product_reading.h"
-#include "maps/som/similarity_scores.h"
+#include "maps/reading/similarity_scores.h"
 #include "somato/maps/layers.h"
 
 namespace somato {
@@ -116,13 +116,17 @@ std::size_t KnownScores::winner(const Som& som, std::span<const float> scores) c
   std::vector<float> row(input_.size());
   const auto least = double{*std::min_element(scores.begin(), scores.end())};
   const double limit = least + margin(least);
-  BestTwo best;
+  std::size_t best = 0;
+  double least_exact = std::numeric_limits<double>::infinity();
   for (std::size_t neuron = 0; neuron < scores.size(); ++neuron) {
     if (double{scores[neuron]} > limit) continue;
     som.weights().copy_row(neuron, row);
-    best.meet(exact(row), neuron);
+    const double score = exact(row);
+    if (score >= least_exact) continue;
+    least_exact = score;
+    best = neuron;
   }
-  return best.winners().first;
+  return best;
 }
 
 double KnownScores::exact(std::span<const float> weights) const {
