@@ -31,6 +31,8 @@ void count_all(const Counted& counted) {
   count_online_kernels(counted);
   count_product_kernels(counted);
   count_t_mpsom_kernels(counted);
+  count_distance_kernels(counted);
+  count_activity_kernels(counted);
   count_cases(counted);
 }
 

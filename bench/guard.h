@@ -24,6 +24,8 @@ void count_batch_kernels(const Counted& counted);
 void count_online_kernels(const Counted& counted);
 void count_product_kernels(const Counted& counted);
 void count_t_mpsom_kernels(const Counted& counted);
+void count_distance_kernels(const Counted& counted);
+void count_activity_kernels(const Counted& counted);
 void count_cases(const Counted& counted);
 
 /// Number of kernels of a table: a reminder to count a kernel that is added.
