@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "base/core/lanes.h"
 #include "base/kernels/distance_kernels.h"
 #include "guard.h"
 
