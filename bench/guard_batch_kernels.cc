@@ -16,7 +16,7 @@ namespace {
 using kernels::kBlockNeurons;
 using kernels::kTileSamples;
 
-static_assert(kKernels<kernels::BatchTable> == 11, "count each of them");
+static_assert(kKernels<kernels::BatchTable> == 13, "count each of them");
 
 constexpr std::size_t kBlocks = 27;
 constexpr std::size_t kPairs = 32;
@@ -123,6 +123,12 @@ void count_vectors(const Counted& counted) {
   counted(
       "batch.inner_product", [&] { sum = table.inner_product(a.data(), b.data(), kLength); },
       of_sum);
+  counted(
+      "batch.absolute_distance",
+      [&] { sum = table.absolute_distance(a.data(), b.data(), kLength); }, of_sum);
+  counted(
+      "batch.greatest_difference",
+      [&] { sum = table.greatest_difference(a.data(), b.data(), kLength); }, of_sum);
 }
 
 void count_means(const Counted& counted) {
