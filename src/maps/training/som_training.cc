@@ -118,7 +118,7 @@ Result<void> train_epochs(const Som& som, std::uint64_t first, std::uint64_t par
                           const TrainingOptions& options,
                           const std::function<Result<void>(std::uint64_t, const Stop&)>& learn,
                           const std::function<Som()>& map) {
-  const SomParameters p = som.parameters();
+  const SomParameters& p = som.parameters();
   const Stop stop(options.progress, p.epochs * parts, 1);
   const Moments moments(options.observer, som, p.epochs);
   for (std::uint64_t epoch = first; epoch < p.epochs; ++epoch) {
