@@ -51,7 +51,7 @@ Result<void> train_epochs(const Som& som, std::uint64_t first, std::uint64_t par
                           const TrainingOptions& options, const LengthChecks& checks,
                           const std::function<Result<void>(std::uint64_t, const Stop&)>& learn,
                           const std::function<Som()>& map) {
-  const SomParameters p = som.parameters();
+  const SomParameters& p = som.parameters();
   const auto total_after = [&](std::uint64_t epochs) {
     return std::max(epochs, p.epochs) + checks.checks_left();
   };
