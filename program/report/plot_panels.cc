@@ -10,7 +10,7 @@
 #include "base/text/text.h"
 #include "maps/reading/weight_plane.h"
 #include "som/data.h"
-#include "som/stoppable_rows.h"
+#include "som/row_data.h"
 #include "somato/core/parameter.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/maps/clusters.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "flags/result_output.h"
-#include "som/measured_rows.h"
+#include "som/map_and_rows.h"
 #include "somato/files/csv.h"
 #include "terminal/wording.h"
 

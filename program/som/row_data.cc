@@ -14,7 +14,6 @@
 #include "maps/som/initial_weights.h"
 #include "som/column_report.h"
 #include "som/data.h"
-#include "som/stoppable_rows.h"
 #include "somato/core/matrix.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"

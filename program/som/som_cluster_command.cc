@@ -9,7 +9,7 @@
 #include "som/cluster_tables.h"
 #include "som/column_report.h"
 #include "som/data.h"
-#include "som/measured_rows.h"
+#include "som/map_and_rows.h"
 #include "som/processes.h"
 #include "som/row_output.h"
 

@@ -12,7 +12,7 @@
 #include "flags/result_output.h"
 #include "som/column_report.h"
 #include "som/data.h"
-#include "som/measured_rows.h"
+#include "som/map_and_rows.h"
 #include "som/processes.h"
 #include "som/row_output.h"
 #include "somato/files/csv.h"

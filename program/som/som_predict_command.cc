@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "flags/commands.h"
+#include "flags/memory_flag.h"
 #include "som/column_report.h"
 #include "som/data.h"
-#include "flags/memory_flag.h"
 #include "som/processes.h"
 #include "som/row_output.h"
 #include "somato/files/csv.h"
