@@ -12,12 +12,34 @@
 namespace somato {
 namespace {
 
+// The distance of two neurons' weights by the similarity of the map.
 double weight_gap(const Som& som, std::size_t a, std::size_t b) {
+  double squares = 0.0;
   double sum = 0.0;
+  double most = 0.0;
+  double product = 0.0;
+  double of_a = 0.0;
+  double of_b = 0.0;
   for (std::size_t d = 0; d < som.input_size(); ++d) {
-    sum += std::pow(double{som.weight(a, d)} - double{som.weight(b, d)}, 2);
+    const double left = som.weight(a, d);
+    const double right = som.weight(b, d);
+    squares += (left - right) * (left - right);
+    sum += std::fabs(left - right);
+    most = std::max(most, std::fabs(left - right));
+    product += left * right;
+    of_a += left * left;
+    of_b += right * right;
   }
-  return std::sqrt(sum);
+  switch (som.parameters().similarity) {
+    case Similarity::kManhattan:
+      return sum;
+    case Similarity::kChebyshev:
+      return most;
+    case Similarity::kCosine:
+      return 1.0 - product / std::sqrt(of_a * of_b);
+    default:
+      return std::sqrt(squares);
+  }
 }
 
 std::vector<std::size_t> nearest_by(const std::vector<double>& gaps, std::size_t own) {

@@ -120,7 +120,8 @@ SomParameters small_map(const testing::Variant& variant, Random& random) {
 TEST(SomTrainingThread, OfAutomaticLengthInEpochsEndsWhenTheErrorNoLongerImproves) {
   Random random(31);
   for (const bool products : {false, true}) {
-    for (const auto& variant : testing::all_variants()) {
+    for (const auto& variant :
+         products ? testing::variants_by_products() : testing::all_variants()) {
       const Samples samples = testing::random_samples(30, products ? 40 : 4, false, random);
       SomParameters p = small_map(variant, random);
       p.training = Training::kBatch;
@@ -143,7 +144,8 @@ TEST(SomTrainingThread, OfAutomaticLengthInEpochsEndsWhenTheErrorNoLongerImprove
 TEST(SomTrainingThread, OfAutomaticLengthInIterationsEndsWhenTheErrorNoLongerImproves) {
   Random random(32);
   for (const bool products : {false, true}) {
-    for (const auto& variant : testing::all_variants()) {
+    for (const auto& variant :
+         products ? testing::variants_by_products() : testing::all_variants()) {
       const bool sparse = random.below(2) == 0;
       const Samples samples = testing::random_samples(30, products ? 40 : 4, sparse, random);
       SomParameters p = small_map(variant, random);

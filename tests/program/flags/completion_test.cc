@@ -84,8 +84,8 @@ TEST_F(Completion, WorksInZsh) {
 TEST_F(Completion, WorksInFish) {
   EXPECT_EQ(in_shell("fish", "function somato; '" + program() +
                                  "' $argv; end; source script; complete -C 'somato som pl'"),
-            (Words{"plot\tDraw a map: U-matrix, hits, labels and component planes, or its weights "
-                   "on a skin"}));
+            (Words{"plot\tDraw a map: U-matrix, hits, classes, component planes, clusters, "
+                   "trajectories and more, or its weights on a skin"}));
 }
 
 TEST_F(Completion, RefusesOtherShells) {

@@ -197,9 +197,13 @@ TEST_F(Usage, TheReferenceNamesEveryFlagInItsCommandsSection) {
     arguments.push_back("--help");
     const auto flags = flags_in(output_of(arguments));
     EXPECT_GE(flags.size(), 1u);
-    // A section may point at the table of the map's keys instead of repeating it.
-    const bool refers_to_map = section.find("(#map)") != std::string::npos;
-    const std::string keys = refers_to_map ? page.substr(page.find("### map")) : std::string();
+    // A section may point at a table of keys instead of repeating it.
+    std::string keys;
+    for (const std::string table : {"map", "measures"}) {
+      if (section.find("(#" + table + ")") == std::string::npos) continue;
+      const std::size_t start = page.find("### " + table);
+      keys += page.substr(start, page.find("\n##", start + 1) - start);
+    }
     for (const std::string& flag : flags) {
       if (flag == "--help" || flag == "--output") continue;
       const bool is_flag = section.find("`" + flag + "`") != std::string::npos;
