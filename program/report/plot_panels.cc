@@ -20,7 +20,7 @@ namespace somato::program {
 namespace {
 
 // The data that a panel needs beside the map.
-enum class Need { kNothing, kData, kLabels, kNames, kClusters };
+enum class Need { kNothing, kData, kLabels, kLabelNames, kClusters };
 
 struct KnownPanel {
   std::string name;
@@ -32,7 +32,7 @@ const std::vector<KnownPanel>& known_panels() {
   static const std::vector<KnownPanel> panels{
       {"u_matrix", Need::kNothing, true},   {"u_matrix_edges"},
       {"hits", Need::kData, true},          {"labels", Need::kLabels, true},
-      {"label_text", Need::kNames},         {"pies", Need::kLabels},
+      {"label_text", Need::kLabelNames},    {"pies", Need::kLabels},
       {"components", Need::kNothing, true}, {"clusters", Need::kClusters},
       {"dendrogram", Need::kClusters},      {"projection"},
       {"trajectory", Need::kData}};

@@ -84,11 +84,11 @@ Result<Layer> read_layer(const std::string& text, const RowData& rows) {
     return refuse_layer(fmt::format("the columns of layer '{}' are not neighbours", layer.name),
                         "put the columns of a layer next to each other in the table");
   }
-  if (parts.size() > 1) {
+  if (parts.size() > 1 && !without_blanks(parts[1]).empty()) {
     SOMATO_TRY(layer.similarity,
                choice_named<Similarity>("distance", without_blanks(parts[1]), kLayersFlag));
   }
-  if (parts.size() > 2) {
+  if (parts.size() > 2 && !without_blanks(parts[2]).empty()) {
     SOMATO_TRY(layer.weight, number_in_layer(without_blanks(parts[2]), layer.name));
   }
   if (parts.size() > 3) {
@@ -109,11 +109,13 @@ Result<std::vector<Layer>> checked_layers(std::vector<Layer> layers, std::size_t
 }  // namespace
 
 Flag layers_flag() {
-  return {kLayersFlag,
-          "Groups of columns with a distance each, such as "
-          "'shape=a,b,c;touch=t_*:manhattan:2': NAME=COLUMNS, then optionally the distance "
-          "(euclidean by default), the weight (1) and the distance that counts as 1 (the mean "
-          "distance of rows), separated by colons"};
+  return {
+      kLayersFlag,
+      "Groups of columns with a distance each, such as "
+      "'shape=a,b,c;touch=t_*:manhattan:2': NAME=COLUMNS, then optionally the distance "
+      "(euclidean by default), the weight (1) and the distance that counts as 1 (the mean "
+      "distance of rows), separated by colons. A name with one of ,:;= is written as a pattern, "
+      "such as f?x"};
 }
 
 Result<std::vector<Layer>> read_layers(const Arguments& arguments, const RowData& rows) {

@@ -23,26 +23,27 @@ Samples samples_in(const Samples& part, std::size_t first, std::size_t count) {
   return Samples::view_of({part[first].values.data(), count * part.size()}, part.size());
 }
 
-Result<SomModel> read_map(const Arguments& arguments) {
-  const std::string path = arguments.text("MAP");
-  SOMATO_TRY(auto model, load_som_model(path));
-  SOMATO_TRY(const auto missing, read_missing(arguments));
-  if (Result<void> fills = check_fills(model, missing); !fills) {
-    fills.error().where = path;
-    fills.error().advice = missing == MissingFill::kNearest
-                               ? "pass --missing mean"
-                               : "pass --missing nearest, or train with --missing mean or "
-                                 "--standardize";
-    return fail(std::move(fills.error()));
-  }
-  return model;
-}
-
 }  // namespace
 
+Result<void> check_fills_of(const SomModel& model, const RowData& rows, const std::string& path) {
+  if (!rows.holds_missing) return {};
+  Result<void> fills = check_fills(model, rows.missing);
+  if (fills) return {};
+  fills.error().where = path;
+  const bool takes_means = !model.fill_values().empty();
+  fills.error().advice = rows.missing == MissingFill::kMean
+                             ? "pass --missing nearest, or train with --missing mean or "
+                               "--standardize"
+                         : takes_means ? "pass --missing mean"
+                                       : "train with --missing mean or --standardize, and pass "
+                                         "--missing mean";
+  return fills;
+}
+
 Result<MapAndRows> read_map_and_rows(const Arguments& arguments, JoinedProcesses* processes) {
-  SOMATO_TRY(auto model, agreed(read_map(arguments), processes));
+  SOMATO_TRY(auto model, agreed(load_som_model(arguments.text("MAP")), processes));
   SOMATO_TRY(auto rows, read_rows(arguments, model.features, processes, model.scales()));
+  SOMATO_TRY_VOID(agreed(check_fills_of(model, rows, arguments.text("MAP")), processes));
   model.subtract_offsets();
   if (rows.size() != model.som.input_size()) {
     Error error{ErrorKind::kData,

@@ -21,6 +21,10 @@ struct MapAndRows {
   RowData rows;
 };
 
+/// Whether the model, read from `path`, takes rows of which values are missing, in the way that
+/// they name. Errors (kUsage): it does not, and a value is missing.
+Result<void> check_fills_of(const SomModel& model, const RowData& rows, const std::string& path);
+
 /// Reads the positionals `MAP` and `DATA`. If both the map's features and the table's columns
 /// have names, the features are selected by name. Errors: those of the files; kData if the map
 /// takes another number of columns; kUsage if it cannot fill missing values in the requested way.

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,18 +9,18 @@
 #include "flags/memory_flag.h"
 #include "som/column_report.h"
 #include "som/data.h"
+#include "som/map_and_rows.h"
 #include "som/processes.h"
 #include "som/row_output.h"
 #include "somato/files/csv.h"
 #include "somato/graph/som_model.h"
 #include "somato/maps/layers.h"
+#include "systems/model/complete_inputs.h"
 #include "systems/signals/missing_values.h"
 #include "terminal/terminal.h"
 
 namespace somato::program {
 namespace {
-
-constexpr float kUnknownNumber = std::numeric_limits<float>::quiet_NaN();
 
 // Predicts a layer of the rows of a table that need not have its columns.
 class LayerPrediction {
@@ -37,17 +36,14 @@ class LayerPrediction {
       return fail(std::move(layer.error()));
     }
     prediction.layer_ = std::move(*layer);
-    if (prediction.missing_ != MissingFill::kMean || !prediction.model_.fill_values().empty()) {
-      return prediction;
-    }
-    return fail(ErrorKind::kUsage, "the map does not contain the means of its training data",
-                prediction.path_, "pass --missing nearest");
+    return prediction;
   }
 
   Result<RowData> read(const Arguments& arguments) {
     const std::vector<ColumnScale> scales = model_.scales();
     auto rows = read_rows(arguments, of_others(model_.features), nullptr,
                           scales.size() > 1 ? of_others(scales) : scales);
+    if (rows) SOMATO_TRY_VOID(check_fills_of(model_, *rows, path_));
     whole_ = model_;
     model_.subtract_offsets();
     if (!rows || rows->size() == model_.som.input_size() - layer_.count) return rows;
@@ -63,14 +59,31 @@ class LayerPrediction {
     return text + ",greatest\n";
   }
 
+  // With zeros for the columns of the layer, which have no effect.
+  Samples inputs(const Samples& part) const {
+    Matrix<float> rows(part.count(), som().input_size());
+    std::vector<float> others(part.size());
+    for (std::size_t i = 0; i < part.count(); ++i) {
+      write_dense(part[i], others);
+      const auto row = rows.row(i);
+      const auto middle = others.begin() + static_cast<std::ptrdiff_t>(layer_.first);
+      auto to = std::copy(others.begin(), middle, row.begin());
+      to = std::fill_n(to, layer_.count, 0.0F);
+      std::copy(middle, others.end(), to);
+    }
+    const Samples whole(std::move(rows));
+    return model_.prepare(missing_ == MissingFill::kMean ? filled_with(model_.fill_values(), whole)
+                                                         : whole);
+  }
+
+  // Predicts the layer of some inputs(), of which the first has the number `first`, from 0.
   std::string text_of(const Samples& part, std::size_t first, std::size_t threads) const {
-    const Matrix<float> predicted = predict_layer(som(), layer_, inputs(part), threads);
+    const Matrix<float> predicted = predict_layer(som(), layer_, part, threads);
     std::string text;
     for (std::size_t i = 0; i < predicted.rows(); ++i) {
       const auto row = predicted.row(i);
       text += fmt::format("{}", first + i + 1);
-      for (std::size_t d = 0; d < row.size(); ++d)
-        text += fmt::format(",{:.9g}", in_units(d, row[d]));
+      for (std::size_t d = 0; d < row.size(); ++d) text += "," + number_of(d, row[d]);
       const auto greatest =
           static_cast<std::size_t>(std::max_element(row.begin(), row.end()) - row.begin());
       text += "," + csv_field(name_of(greatest)) + "\n";
@@ -95,29 +108,14 @@ class LayerPrediction {
     return model_.features.empty() ? std::to_string(number + 1) : model_.features[number];
   }
 
-  // In the unit of the column, as precise as data are.
-  float in_units(std::size_t column, float weight) const {
-    if (!whole_.standardization) return weight;
-    const std::size_t number = layer_.first + column;
-    return static_cast<float>(whole_.standardization->means[number] +
-                              whole_.standardization->deviations[number] * double{weight});
-  }
-
-  // With the columns of the layer, which are missing.
-  Samples inputs(const Samples& part) const {
-    Matrix<float> rows(part.count(), som().input_size());
-    std::vector<float> others(part.size());
-    for (std::size_t i = 0; i < part.count(); ++i) {
-      write_dense(part[i], others);
-      const auto row = rows.row(i);
-      const auto middle = others.begin() + static_cast<std::ptrdiff_t>(layer_.first);
-      auto to = std::copy(others.begin(), middle, row.begin());
-      to = std::fill_n(to, layer_.count, kUnknownNumber);
-      std::copy(middle, others.end(), to);
-    }
-    const Samples whole(std::move(rows));
-    return model_.prepare(missing_ == MissingFill::kMean ? filled_with(model_.fill_values(), whole)
-                                                         : whole);
+  // In the unit of the column, as precise as weights are; a standardized column may have an offset.
+  std::string number_of(std::size_t column, float weight) const {
+    const std::size_t element = layer_.first + column;
+    const double number = in_units(whole_, element, weight);
+    const bool has_offset =
+        whole_.standardization && whole_.standardization->offsets()[element] != 0.0;
+    return has_offset ? fmt::format("{:.12g}", number)
+                      : fmt::format("{:.9g}", static_cast<float>(number));
   }
 
   std::string path_;
@@ -134,7 +132,10 @@ Result<void> predict(const Arguments& arguments) {
   SOMATO_TRY(auto output, RowOutput::begin(arguments.text("output"), nullptr));
   std::size_t done = 0;
   SOMATO_TRY_VOID(output.commit(output.write(prediction.head()).and_then([&] {
-    return for_each_part(rows.samples(), [&](const Samples& part) {
+    ChangedSamples inputs(rows.samples(),
+                          [&](const Samples& part) { return prediction.inputs(part); });
+    SamplesInRange in_range(inputs, rows.path, 0);
+    return for_each_part(in_range, [&](const Samples& part) {
       const std::string text = prediction.text_of(part, done, threads);
       done += part.count();
       return output.write(text);

@@ -120,6 +120,18 @@ void unlocked(const std::function<void(Interrupts&)>& work, nb::object progress 
   interrupts.throw_raised();
 }
 
+// The parameters; those without effect, which no training takes, have their defaults.
+nb::dict parameters_with_effect(const Map& map) {
+  const SomParameters& parameters = map.model().som.parameters();
+  nb::dict values = dict_of(parameters);
+  const nb::dict defaults = dict_of(SomParameters());
+  for (const auto& [name, value] : defaults) {
+    const auto text = nb::cast<std::string>(name);
+    if (!reason_without_effect(parameters, text).empty()) values[name] = value;
+  }
+  return values;
+}
+
 // The name of each neuron's class, or None.
 nb::list neuron_labels(const Map& map) {
   nb::list names;
@@ -246,19 +258,40 @@ nb::tuple Map::layer_columns(const std::string& layer) const {
   return nb::make_tuple(found.first, found.count);
 }
 
+namespace {
+
+// Whether a value of another layer than this one is known.
+Result<void> check_known_beside(std::span<const float> row, const Layer& layer,
+                                std::size_t number) {
+  for (std::size_t d = 0; d < row.size(); ++d) {
+    const bool is_of_layer = d >= layer.first && d < layer.first + layer.count;
+    if (!is_of_layer && !std::isnan(row[d])) return {};
+  }
+  return fail(ErrorKind::kData, fmt::format("row {} has no known value of another layer", number),
+              "X", "leave the row out");
+}
+
+}  // namespace
+
 // Missing values of other layers are left out of the distance.
 nb::object Map::predict_layer(const SampleRows& rows, const std::string& name,
                               std::size_t threads) const {
   check_rows(rows);
   const Layer layer = value_or_throw(layer_named(model_.som.parameters(), name));
-  std::vector<float> predicted(rows.count() * layer.count);
+  std::vector<double> predicted(rows.count() * layer.count);
   unlocked([&](Interrupts& interrupts) {
     for_each_part(taking(rows), rows, interrupts, [&](Samples part, std::size_t first) {
       const bool fills = rows.missing() == MissingFill::kMean;
       if (!fills) part = taking(rows).prepare(rows.part(first, part.count()));
+      for (std::size_t i = 0; i < part.count(); ++i) {
+        value_or_throw(check_known_beside(part[i].values, layer, first + i));
+      }
       const Matrix<float> found = somato::predict_layer(model_.som, layer, part, threads);
-      std::copy(found.values().begin(), found.values().end(),
-                predicted.begin() + static_cast<std::ptrdiff_t>(first * layer.count));
+      for (std::size_t i = 0; i < found.rows(); ++i) {
+        for (std::size_t d = 0; d < layer.count; ++d) {
+          predicted[(first + i) * layer.count + d] = in_units(model_, layer.first + d, found(i, d));
+        }
+      }
     });
   });
   const std::size_t shape[] = {rows.count(), layer.count};
@@ -466,8 +499,7 @@ void bind_map(nb::module_& module) {
       .def("positions", &Map::positions)
       .def("u_matrix", &Map::u_matrix)
       .def("cells", &Map::cells)
-      .def_prop_ro("parameters",
-                   [](const Map& map) { return dict_of(map.model().som.parameters()); })
+      .def_prop_ro("parameters", &parameters_with_effect)
       .def_prop_ro("steps", &Map::steps)
       .def_prop_ro("samples_seen", [](const Map& map) { return map.model().seen(); })
       .def("offsets", &Map::offsets)

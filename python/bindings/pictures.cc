@@ -143,6 +143,11 @@ nb::tuple clusters_of(const Map& map, const std::string& method) {
 /// The corners of the cells with a value of an expanded U-matrix, in widths of a neuron's cell as
 /// Map::cells(), and their values.
 nb::tuple edge_cells(const Map& map) {
+  if (map.model().som.grid().graph() != nullptr) {
+    throw Failure{Error{ErrorKind::kUsage,
+                        "the map has no rows and columns, and so no expanded cells",
+                        "u_matrix_edges", "use draw, which shows the edges of a graph"}};
+  }
   const EdgePanel panel = u_matrix_edges_panel(map.model().som);
   const ExpandedGrid expanded(panel.grid);
   const ExpandedValues all = expanded_values(expanded, panel);

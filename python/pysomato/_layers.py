@@ -14,6 +14,9 @@ def layers_of(layers, names):
     except AttributeError:
         raise UsageError(f"layers are a dictionary, not {type(layers).__name__}", "SOM(layers)",
                          'such as {"shape": 3, "kind": (2, "manhattan")}') from None
+    if not items:
+        raise UsageError("there is no layer", "SOM(layers)",
+                         'pass a dictionary such as {"shape": 3, "kind": 2}, or None')
     found = []
     for name, how in items:
         columns, *others = how if isinstance(how, tuple) else (how,)
@@ -21,7 +24,9 @@ def layers_of(layers, names):
             raise UsageError(f"layer '{name}' has {len(others) + 1} values", "SOM(layers)",
                              "pass columns, distance, weight and scale")
         count = _count_of(str(name), columns, sum(layer[1] for layer in found), names)
-        distance, weight, scale = (*others, *_DEFAULTS[len(others):])
+        given = (*others, *_DEFAULTS[len(others):])
+        distance, weight, scale = (default if one is None else one
+                                   for one, default in zip(given, _DEFAULTS))
         try:
             found.append((str(name), count, str(distance), float(weight),
                           None if scale is None else float(scale)))
@@ -48,12 +53,15 @@ def _count_of(name, columns, first, names):
                      "SOM(layers)", "pass their number, or a list of names")
 
 
-def with_columns(X, first, count, size, names):
-    """X with zeros for the columns of a layer, unless it has them."""
+def with_columns(X, first, values, size, names):
+    """X with values for the columns of a layer, which are those from ``first`` on."""
     if hasattr(X, "columns") and hasattr(X, "assign") and names is not None:
-        absent = {name: 0.0 for name in names[first:first + count] if name not in X.columns}
-        return X.assign(**absent)[list(names)] if absent else X
+        X = X.assign(**dict(zip(names[first:first + len(values)], values)))
+        return X[list(names)] if set(names) <= set(X.columns) else X
     shape = np.shape(X)
-    if len(shape) != 2 or shape[1] != size - count or hasattr(X, "tocsr"):
+    if len(shape) != 2 or hasattr(X, "tocsr") or shape[1] not in (size, size - len(values)):
         return X
-    return np.insert(np.asarray(X), [first] * count, 0, axis=1)
+    others = np.asarray(X)
+    if shape[1] == size:
+        others = np.delete(others, np.s_[first:first + len(values)], axis=1)
+    return np.insert(others, [first] * len(values), values, axis=1)

@@ -23,6 +23,9 @@ _WORTH_A_REPORT = 2**24
 # The place in messages about rows.
 _WHERE = "X"
 
+# Rows from which on their deviation is known.
+_FEW_ROWS = 10
+
 _reported = set()
 
 
@@ -65,11 +68,22 @@ def sample_rows_of(estimator, X, *, reset, further=False, least=1, missing="refu
     trained = None if reset else estimator.map_
     rows, moved = _rounded(estimator, X, reset, further, least, missing,
                            lambda: (([], []) if trained is None
-                                    else (trained.offsets(), trained.deviations())),
+                                    else (trained.offsets(), _deviations_of(estimator))),
                            accept_sparse="csr")
     if issparse(rows):
         return _sparse(rows)
+    # A trained map fills values only if there are missing ones.
+    if trained is not None and not further and missing != "refuse" and not np.isnan(rows).any():
+        missing = "refuse"
     return _somato.SampleRows(rows, missing, moved)
+
+
+def _deviations_of(estimator):
+    """The deviations of columns by the map, or by the training data where these are known."""
+    of_map = estimator.map_.deviations()
+    learned = getattr(estimator, "_rounding", None)
+    of_data = [] if learned is None else learned.deviations()
+    return list(np.maximum(of_map, of_data)) if len(of_data) == len(of_map) else of_map
 
 
 def _known_columns(estimator, X, reset, extra_columns):
@@ -99,11 +113,14 @@ def _rounded(estimator, X, reset, further, least, missing, scales, **options):
     rounding = _somato.Rounding()
     rounding.know(offsets, deviations)
     rows = _round(exact, rounding, names)
-    _check(rounding, names)
+    # A few rows of a stream may be alike.
+    are_few = further and not reset and getattr(estimator, "samples_seen_", _FEW_ROWS) < _FEW_ROWS
+    if not are_few:
+        _check(rounding, names)
     if reset or further:
         _warn_of_rounded(rounding, names)
         estimator._rounding = (rounding if reset
-                               else _of_all_calls(estimator, exact, offsets, names))
+                               else _of_all_calls(estimator, exact, offsets, names, not are_few))
     _report_conversion(X, rows)
     return rows, len(offsets) > 0
 
@@ -119,13 +136,14 @@ def _warn_of_rounded(rounding, names):
                       PrecisionWarning, stacklevel=level_of_user())
 
 
-def _of_all_calls(estimator, exact, offsets, names):
+def _of_all_calls(estimator, exact, offsets, names, checks):
     """What is lost in the columns of all calls together: each may be a single row."""
     learned = getattr(estimator, "_rounding", None)
     rounding = _somato.Rounding() if learned is None else copy.copy(learned)
     rounding.know(offsets, [])
     _round(exact, rounding, names)
-    _check(rounding, names)
+    if checks:
+        _check(rounding, names)
     return rounding
 
 
@@ -177,7 +195,7 @@ def _check_known(exact, missing, names, reset):
         row, column = _first(exact, np.isnan)
         raise DataError(f"the value in row {row}, {_column(names, column)} is missing (NaN)", _WHERE,
                         "leave the row out, fill it in, or pass dense rows to a map with "
-                        "SOM(missing='mean') or 'nearest'")
+                        "SOM(missing='mean'), 'nearest' or 'leave_out'")
     unknown = np.isnan(exact)
     if unknown.all(axis=1).any():
         raise DataError(f"row {int(unknown.all(axis=1).argmax())} has no known value", _WHERE,

@@ -146,8 +146,10 @@ class MapData(PanelPlots):
         """The positions of the samples, the names of the classes and the class of each; all classes or none."""
         positions = np.zeros((0, 2)) if self.rows is None else self.map.plane_positions(self.rows)
         names, numbers = ([], np.zeros(0, np.int64))
-        if self._has_labels() and self.rows is not None and (self.classes[1] >= 0).all():
-            names, numbers = [str(name) for name in self.classes[0]], self.classes[1]
+        if self._has_labels() and self.rows is not None:
+            known = self.classes[1] >= 0  # samples without a label are not drawn
+            names, numbers = [str(name) for name in self.classes[0]], self.classes[1][known]
+            positions = np.ascontiguousarray(positions[known])
         return positions, names, numbers
 
     def _steps(self, look, where):

@@ -246,7 +246,7 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         return self.classes_[self.map_.classes(X, self._threads())]
 
     def predict_layer(self, X, layer) -> np.ndarray:
-        """The columns of a layer from those of the others; float32 of (samples, columns).
+        """The columns of a layer, in their units, from those of the others; float64 of (samples, columns).
 
         The winner of a row is the neuron at the least distance by the other layers, and its weights
         for the layer are the prediction. The greatest of one-hot columns names the class.
@@ -256,11 +256,13 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
             layer: The name of the layer.
 
         Raises:
-            UsageError: The map has no such layer.
+            UsageError: The map has no such layer, or no other one.
+            DataError: A row has no known value of another layer.
         """
         check_fitted(self, "map_")
         first, count = self.map_.layer_columns(layer)
-        X = self._checked(with_columns(X, first, count, self.n_features_in_,
+        values = (self.map_.offsets() or [0.0] * self.n_features_in_)[first:first + count]
+        X = self._checked(with_columns(X, first, values, self.n_features_in_,
                                        getattr(self, "feature_names_in_", None)))
         return self.map_.predict_layer(X, layer, self._threads())
 

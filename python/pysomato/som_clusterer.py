@@ -54,10 +54,25 @@ class SOMClusterer(ClusterMixin, SOM):
             UsageError: As for ``SOM.fit`` and ``SOM.clusters``.
             DataError: As for ``SOM.fit``.
         """
-        super().fit(X)
-        self.clusters_ = self.clusters(**{name: getattr(self, name) for name in _OF_CLUSTERS})
-        self.neuron_labels_ = _with_samples_first(self.clusters_.labels, self.hits_)
+        super().fit(X)._cluster_neurons()
         self.labels_ = self.neuron_labels_[self.winners_]
+        return self
+
+    @classmethod
+    def from_weights(cls, weights, **parameters) -> "SOMClusterer":
+        """As ``SOM.from_weights``, with the parameters of the clusters."""
+        own = {name: parameters.pop(name) for name in _OF_CLUSTERS if name in parameters}
+        return super().from_weights(weights, **parameters).set_params(**own)._cluster_neurons()
+
+    @classmethod
+    def _of(cls, trained):
+        return super()._of(trained)._cluster_neurons()
+
+    def _cluster_neurons(self):
+        self.clusters_ = self.clusters(**{name: getattr(self, name) for name in _OF_CLUSTERS})
+        labels = self.clusters_.labels
+        self.neuron_labels_ = (_with_samples_first(labels, self.hits_) if hasattr(self, "hits_")
+                               else labels)
         return self
 
     @property

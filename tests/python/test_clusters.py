@@ -174,3 +174,11 @@ def test_labels_have_no_gaps(X):
         found = np.unique(clusterer.labels_)
         np.testing.assert_array_equal(found, np.arange(len(found)))
         assert adjusted_rand_score(clusterer.neuron_labels_, clusterer.clusters_.labels) == 1
+
+
+def test_maps_of_others_are_clustered(X):
+    weights = SOM(4, 4).fit(X).weights_.reshape(4, 4, -1)
+    clusterer = SOMClusterer.from_weights(weights, count=3)
+    assert clusterer.count == 3 and len(set(clusterer.neuron_labels_)) == 3
+    assert len(clusterer.predict(X)) == len(X)
+    assert clusterer.samples_seen_ == 0

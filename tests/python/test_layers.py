@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pysomato
-from pysomato import SOM
+from pysomato import SOM, DataError, UsageError
 
 
 def layered_distances(X, weights, layers):
@@ -126,3 +126,28 @@ def test_layers_are_kept_by_files_and_pickles(data, tmp_path):
 def test_layers_that_do_not_fit_are_refused(data, layers, message):
     with pytest.raises(pysomato.UsageError, match=message):
         SOM(3, 3, layers=layers).fit(data)
+
+
+def test_what_is_predicted_does_not_look_at_its_own_columns(data):
+    som = SOM(4, 4, layers=LAYERS, iterations=500).fit(data)
+    name = list(LAYERS)[-1]
+    first, count = som.map_.layer_columns(name)
+    others = np.delete(data, np.s_[first:first + count], axis=1)
+    unknown = data.copy()
+    unknown[:, first:first + count] = np.nan
+    expected = som.predict_layer(others, name)
+    np.testing.assert_array_equal(som.predict_layer(unknown, name), expected)
+    np.testing.assert_array_equal(som.predict_layer(data, name), expected)
+    with pytest.raises(UsageError, match="only layer"):
+        SOM(2, 2, layers={"all": data.shape[1]}).fit(data).predict_layer(data, "all")
+    with pytest.raises(UsageError, match="no layer"):
+        SOM(2, 2, layers={}).fit(data)
+
+
+def test_nothing_is_predicted_from_nothing(data):
+    layers = {"first": 2, "others": (data.shape[1] - 2, "manhattan")}
+    som = SOM(4, 4, layers=layers, iterations=500, missing="leave_out").fit(data)
+    unknown = data[:2].copy()
+    unknown[1, 2:] = np.nan
+    with pytest.raises(DataError, match="row 1 has no known value of another layer"):
+        som.predict_layer(unknown, "first")

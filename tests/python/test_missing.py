@@ -390,3 +390,15 @@ def test_maps_of_directions_cannot_leave_values_out():
     for similarity in ("cosine", "dot_product"):
         with pytest.raises(pysomato.UsageError, match="which missing values leave unknown"):
             SOM(2, 2, similarity=similarity, missing="leave_out").fit(X)
+
+
+@pytest.mark.parametrize("parameters", [{"similarity": "cosine"}, {"similarity": "dot_product"},
+                                        {"normalize_input": True}])
+def test_complete_rows_are_read_by_maps_of_directions(parameters):
+    X = np.random.default_rng(1).normal(size=(40, 3))
+    incomplete = X.copy()
+    incomplete[3, 1] = np.nan
+    som = SOM(3, 3, missing="nearest", **parameters).fit(incomplete)
+    np.testing.assert_array_equal(som.predict(X[:3]), som.winners_[:3])
+    with pytest.raises(pysomato.UsageError, match="missing values leave unknown"):
+        som.predict(incomplete)

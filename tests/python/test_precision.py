@@ -53,6 +53,13 @@ def test_columns_that_lose_something_are_reported():
         make_pipeline(StandardScaler(), SOM(3, 3)).fit(far).predict(far[:1])
 
 
+@pytest.mark.parametrize("constant", [9.81, 0.1, 1 / 3, 273.15])
+def test_a_constant_column_is_read_as_it_is_learned(constant):
+    X = np.c_[np.random.default_rng(1).normal(size=(60, 2)), np.full(60, constant)]
+    som = SOM(5, 5).fit(X)
+    np.testing.assert_array_equal(som.predict(X), som.winners_)
+
+
 @pytest.mark.parametrize("form", [
     np.asfortranarray, lambda X: X.tolist(), lambda X: X.astype(object), sparse.csr_array,
     sparse.coo_matrix, lambda X: np.ma.masked_array(X), lambda X: X[:, ::-1],
@@ -85,6 +92,17 @@ def test_one_row_after_the_other_is_refused_too(raw):
     again = SOM(3, 3, iterations=100).partial_fit(raw[:1])
     for other in (copy.deepcopy(again), pickle.loads(pickle.dumps(again))):
         refused(lambda other=other: [other.partial_fit(row[None]) for row in raw[1:]])
+
+
+def test_rows_are_read_one_by_one_as_together():
+    far = 1e6 + np.random.default_rng(3).normal(size=(60, 3))
+    with pytest.warns(pysomato.PrecisionWarning):
+        som = SOM(3, 3).fit(far)
+    np.testing.assert_array_equal([som.predict(row[None])[0] for row in far], som.winners_)
+    stream = SOM(3, 3, iterations=100)
+    for row in far:
+        stream.partial_fit(row[None])
+    assert stream.samples_seen_ == len(far)
 
 
 def test_one_row_is_compared_with_the_map(raw, tmp_path):

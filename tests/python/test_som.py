@@ -7,6 +7,7 @@ from inspect import signature
 
 import numpy as np
 import pytest
+from sklearn.base import clone
 
 import pysomato
 from pysomato import SOM, _somato
@@ -270,3 +271,11 @@ def test_the_label_is_that_of_the_nearest_neuron_with_one():
     expected = [f"class {votes[neuron].argmax()}" for neuron in nearest]
     assert (som.predict(new) != nearest).any()
     assert som.classify(new).tolist() == expected
+
+
+@pytest.mark.parametrize("parameters", [{"training": "batch"}, {"radius_schedule": "constant"}])
+def test_a_loaded_map_is_trained_again(parameters, tmp_path):
+    X = np.random.default_rng(1).normal(size=(30, 2))
+    SOM(3, 3, **parameters).fit(X).save(tmp_path / "map.somato")
+    again = clone(SOM.load(tmp_path / "map.somato")).fit(X)
+    np.testing.assert_array_equal(again.weights_, SOM.load(tmp_path / "map.somato").weights_)

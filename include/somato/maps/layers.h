@@ -36,7 +36,7 @@ Result<void> check_scales(const SomParameters& parameters);
 /// that are evenly spaced in their order.
 SomParameters with_scales(SomParameters parameters, const Samples& samples);
 
-/// The layer with this name. Errors (kUsage): there is none.
+/// The layer with this name, which the others predict. Errors (kUsage): there is none, or no other.
 Result<Layer> layer_named(const SomParameters& parameters, const std::string& name);
 
 /// The prediction of a layer from the others: for each sample the weights that its winner has for

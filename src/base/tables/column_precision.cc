@@ -78,9 +78,9 @@ std::string ColumnPrecision::distance_of_floats(std::size_t column) const {
 Result<void> ColumnPrecision::check_as(const ColumnText& text, std::string_view where) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (!loses(i, kTolerated)) continue;
-    return fail(ErrorKind::kData,
-                fmt::format("{} loses precision: {}", text(i), distance_of_floats(i)),
-                std::string(where), "subtract an offset from it, or leave it out");
+    return fail(
+        ErrorKind::kData, fmt::format("{} loses precision: {}", text(i), distance_of_floats(i)),
+        std::string(where), "subtract an offset from it, standardize the table, or leave it out");
   }
   return {};
 }

@@ -126,8 +126,13 @@ SomParameters with_scales(SomParameters parameters, const Samples& samples) {
 Result<Layer> layer_named(const SomParameters& parameters, const std::string& name) {
   std::string names;
   for (const Layer& layer : parameters.layers) {
-    if (layer.name == name) return layer;
+    if (layer.name == name && parameters.layers.size() > 1) return layer;
     names += (names.empty() ? "" : ", ") + layer.name;
+  }
+  if (names == name) {
+    return fail(ErrorKind::kUsage,
+                fmt::format("'{}' is the map's only layer, which no other predicts", name), {},
+                "train a map with several layers");
   }
   return fail(ErrorKind::kUsage, fmt::format("the map has no layer '{}'", name), {},
               names.empty() ? "train a map with layers" : "its layers are " + names);

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/arrays/npy_layout.h"
 #include "base/core/memory.h"
 #include "base/text/flag_hint.h"
+#include "somato/maps/layers.h"
 
 namespace somato {
 namespace {
@@ -125,7 +127,7 @@ Result<MapArray> map_array_in_npy(std::string_view bytes, const std::string& whe
   return MapArray{layout.shape, std::move(weights)};
 }
 
-Result<SomModel> map_of_weights(SomParameters parameters, MapArray array,
+Result<SomModel> map_of_weights(SomParameters parameters, const MapArray& array,
                                 std::vector<std::string> features, const std::string& where) {
   SOMATO_TRY_VOID(take_sides(array, parameters, where));
   const Matrix<float>& weights = array.weights;
@@ -134,6 +136,10 @@ Result<SomModel> map_of_weights(SomParameters parameters, MapArray array,
         fmt::format("there are {} names for {} features", features.size(), weights.columns()),
         where, "give one name for each feature, or none");
   }
+  if (std::set(features.begin(), features.end()).size() != features.size()) {
+    return refuse_weights("two features have the same name", where,
+                          "give each feature a name of its own");
+  }
   SOMATO_TRY_VOID(check_numbers(weights, where));
   SOMATO_TRY_VOID(check_lengths(parameters, weights, where));
   auto resolved = resolve(parameters, weights.rows(), weights.columns());
@@ -141,8 +147,13 @@ Result<SomModel> map_of_weights(SomParameters parameters, MapArray array,
     if (resolved.error().where.empty()) resolved.error().where = where;
     return fail(std::move(resolved.error()));
   }
+  for (const auto& fits : {check_layers(*resolved, weights.columns()), check_scales(*resolved)}) {
+    if (!fits) return fail(fits.error());
+  }
   resolved->arithmetic = Arithmetic::kPlain;  // There are no samples for inner products.
-  return SomModel{Som(*resolved, weights), std::move(features), {}, {}, {}, {}};
+  SomModel model{Som(*resolved, weights), std::move(features), {}, {}, {}, {}};
+  if (resolved->training == Training::kOnline) model.samples_seen = 0;  // None are known.
+  return model;
 }
 
 }  // namespace somato

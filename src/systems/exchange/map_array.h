@@ -27,7 +27,7 @@ Result<MapArray> map_array_in_npy(std::string_view bytes, const std::string& whe
 /// as for a training. Errors (kUsage, at `where`): `parameters` contradict the array or each other,
 /// `features` are not as many as the columns, a weight is not finite, or the weights of a
 /// dot-product map do not have length 1.
-Result<SomModel> map_of_weights(SomParameters parameters, MapArray array,
+Result<SomModel> map_of_weights(SomParameters parameters, const MapArray& array,
                                 std::vector<std::string> features, const std::string& where);
 
 }  // namespace somato

@@ -1,5 +1,7 @@
 #include "systems/exchange/map_import.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -45,8 +47,23 @@ Result<ImportedMap> of_array(const std::string& bytes, const std::string& path,
                              const MapImportOptions& options) {
   SOMATO_TRY(const auto parameters, read_parameters<SomParameters>(options.given));
   SOMATO_TRY(auto array, map_array_in_npy(bytes, path));
-  return map_of_weights(parameters, std::move(array), options.features, path)
-      .map([](SomModel&& model) { return ImportedMap{std::move(model)}; });
+  return map_of_weights(parameters, array, options.features, path).map([](SomModel&& model) {
+    return ImportedMap{std::move(model)};
+  });
+}
+
+// A codebook may have no names.
+Result<void> name_features(const std::vector<std::string>& features, const std::string& path,
+                           SomModel& model) {
+  if (features.empty()) return {};
+  if (features.size() != model.som.input_size()) {
+    return fail(
+        ErrorKind::kUsage,
+        fmt::format("there are {} names for {} features", features.size(), model.som.input_size()),
+        path, "give one name for each feature, or none");
+  }
+  model.features = features;
+  return {};
 }
 
 Result<ImportedMap> of_cod(const std::string& bytes, const std::string& path,
@@ -55,9 +72,16 @@ Result<ImportedMap> of_cod(const std::string& bytes, const std::string& path,
   std::erase_if(contained.given.entries, [](const Table::Entry& entry) {
     return entry.name != "rows" && entry.name != "columns" && entry.name != "lattice";
   });
-  SOMATO_TRY_VOID(refuse_options(contained, "a codebook contains it"));
   SOMATO_TRY(const auto parameters, read_parameters<SomParameters>(options.given));
-  return map_in_cod(bytes, path, parameters);
+  contained.features.clear();
+  SOMATO_TRY_VOID(refuse_options(contained, "a codebook contains it"));
+  SOMATO_TRY(auto map, map_in_cod(bytes, path, parameters));
+  if (!map.model.features.empty()) {
+    contained.features = options.features;
+    SOMATO_TRY_VOID(refuse_options(contained, "a codebook contains it"));
+  }
+  SOMATO_TRY_VOID(name_features(options.features, path, map.model));
+  return map;
 }
 
 }  // namespace

@@ -24,9 +24,9 @@ namespace somato {
 namespace {
 
 const std::set<std::string> kKnownArrays{
-    "file_format", "parameters",    "weights",     "positions", "edges",
-    "elements",    "feature_names", "mean",        "scale",     "labels",
-    "class_names", "fill_values",   "samples_seen"};
+    "file_format", "parameters",    "weights",      "positions", "edges",
+    "elements",    "feature_names", "mean",         "scale",     "labels",
+    "class_names", "fill_values",   "samples_seen", "layers"};
 
 // The version of the archive. Errors (kData): none, or a newer one.
 Result<void> check_version(const NpzArrays& arrays, const std::string& where) {
@@ -69,7 +69,7 @@ Result<std::vector<std::int64_t>> integers_in(const NpzArrays& arrays, const std
   std::vector<std::int64_t> integers;
   integers.reserve(numbers.size());
   for (const double number : numbers) {
-    if (!(number >= -1.0 && number < kMost && std::floor(number) == number)) {
+    if (number < -1.0 || number >= kMost || std::floor(number) != number) {
       return damaged_model(fmt::format("{} is not a whole number of at least -1", number),
                            arrays.place_of(name));
     }
@@ -169,6 +169,11 @@ Result<Som> som_in(const NpzArrays& arrays, const std::string& where) {
   Archive archive("som");
   archive.add("parameters", parameters_to_toml(parameters));
   SOMATO_TRY_VOID(add_weights(arrays, weights.weights, archive, where));
+  if (arrays.has("layers")) {
+    SOMATO_TRY(const auto texts, names_in(arrays, "layers"));
+    if (texts.size() != 1) return damaged_model("'layers' is not a text", where);
+    archive.add("layers", texts.front());
+  }
   const bool is_graph = weights.shape.size() == 2;
   if (is_graph) SOMATO_TRY_VOID(add_graph(arrays, weights.weights.rows(), archive));
   return som_from(archive, "", where);

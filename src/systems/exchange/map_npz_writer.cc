@@ -16,6 +16,7 @@
 #include "base/core/memory.h"
 #include "base/files/file_writer.h"
 #include "base/text/text.h"
+#include "maps/som/layer_parts.h"
 #include "somato/core/check.h"
 #include "systems/exchange/map_npz_format.h"
 #include "systems/exchange/parameters_json.h"
@@ -99,6 +100,7 @@ std::string edges_array(const NeuronGraph& graph) {
 
 std::string labels_array_of(const Grid& grid, const NeuronLabels& labels) {
   std::vector<std::int64_t> numbers;
+  numbers.reserve(labels.neurons());
   for (std::size_t neuron = 0; neuron < labels.neurons(); ++neuron) {
     numbers.push_back(labels[neuron] ? static_cast<std::int64_t>(*labels[neuron]) : -1);
   }
@@ -142,6 +144,10 @@ Result<void> add_map(MapWriter& file, const Som& som) {
   const NeuronGraph* graph = som.grid().graph();
   if (graph != nullptr && !graph->edges().empty()) {
     SOMATO_TRY_VOID(file.add("edges", edges_array(*graph)));
+  }
+  if (!som.parameters().layers.empty()) {
+    const std::string layers = layers_to_toml(som.parameters().layers);
+    SOMATO_TRY_VOID(file.add("layers", npy_of_texts({layers}, {})));
   }
   if (som.elements().all()) return {};
   return file.add("elements", list_array(som.elements().listed()));

@@ -1,5 +1,7 @@
 #include "systems/model/complete_inputs.h"
 
+#include <cmath>
+
 #include "maps/som/fill_from_winner.h"
 
 namespace somato {
@@ -23,6 +25,12 @@ Samples complete_inputs(const SomModel& model, MissingFill missing, const Sample
       break;
   }
   return model.prepare(samples);
+}
+
+double in_units(const SomModel& model, std::size_t element, float weight) {
+  if (!model.standardization) return double{weight};
+  const auto& [means, deviations] = *model.standardization;
+  return std::fma(deviations[element], double{weight}, means[element]);
 }
 
 Result<Som> train_leaving_out(const SomParameters& parameters, const Samples& samples,

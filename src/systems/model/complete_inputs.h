@@ -16,6 +16,9 @@ Result<void> check_fills(const SomModel& model, MissingFill missing);
 /// model's map. The model must pass check_fills().
 Samples complete_inputs(const SomModel& model, MissingFill missing, const Samples& samples);
 
+/// A weight of the model's map for `element` in the unit of the data.
+double in_units(const SomModel& model, std::size_t element, float weight);
+
 /// The map after training on dense samples in memory with missing values (NaN), which are left out:
 /// TrainingOptions::incomplete, with initial weights as if they were the means of their columns.
 /// Errors (kData): those of KnownValues; those of train_som().

@@ -24,12 +24,19 @@ const std::set<std::string> kKnownParts{kSomPrefix + "parameters",
                                         kSomPrefix + "input_size",
                                         kSomPrefix + "elements",
                                         kSomPrefix + "layers",
+                                        kSomPrefix + "graph",
                                         "features",
                                         "standardization",
                                         "classes",
                                         "labels",
                                         "means",
                                         "samples_seen"};
+
+// Online training moves the weights of a constant column by some units in the last place.
+constexpr double kRoundingOfWeights = 0x1p-18;
+
+// The weights of a map are means of data, and those of a few neurons spread several times less.
+constexpr double kSpreadOfData = 4.0;
 
 // A list of names as a line of TOML, so that a name may hold anything.
 std::string names_to_toml(const std::vector<std::string>& names) {
@@ -184,15 +191,18 @@ std::string misfit_of_scaling(const SomModel& model) {
 double deviation_of(const Som& som, std::size_t element) {
   const auto neurons = static_cast<double>(som.neurons());
   double mean = 0.0;
+  double greatest = 0.0;
   for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
     mean += double{som.weight(neuron, element)} / neurons;
+    greatest = std::max(greatest, std::fabs(double{som.weight(neuron, element)}));
   }
   double squares = 0.0;
   for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
     const double difference = double{som.weight(neuron, element)} - mean;
     squares += difference * difference;
   }
-  return std::sqrt(squares / neurons);
+  const double deviation = std::sqrt(squares / neurons);
+  return deviation > kRoundingOfWeights * greatest ? deviation : 0.0;
 }
 
 }  // namespace
@@ -220,7 +230,9 @@ std::vector<ColumnScale> SomModel::scales() const {
   std::vector<ColumnScale> scales(som.input_size());
   if (!standardization) {
     if (som.parameters().normalize_input.value_or(false)) return scales;
-    for (std::size_t d = 0; d < scales.size(); ++d) scales[d].deviation = deviation_of(som, d);
+    for (std::size_t d = 0; d < scales.size(); ++d) {
+      scales[d].deviation = kSpreadOfData * deviation_of(som, d);
+    }
     return scales;
   }
   const std::vector<double> offsets = standardization->offsets();

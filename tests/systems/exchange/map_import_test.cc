@@ -72,6 +72,12 @@ TEST(MapImport, RefusesOptionsWithoutEffect) {
   EXPECT_TRUE(refused("w.npy", variable));
   EXPECT_TRUE(refused("w.npy", giving("lattice", {std::string("round")})));
   EXPECT_TRUE(refused("cod", giving("lattice", {std::string("hexagonal")})));
+  (void)folder.with("named", "2 rect 2 1 gaussian\n#n a b\n1 2\n3 4\n");
+  EXPECT_TRUE(refused("named", features));
+  const auto named = import_map(folder.file("cod"), features);
+  ASSERT_TRUE(named) << to_string(named.error());
+  EXPECT_EQ(named->model.features, features.features);
+  features.features.emplace_back("z");
   EXPECT_TRUE(refused("cod", features));
   EXPECT_FALSE(refused("cod", giving("topology", {std::string("torus")})));
 }

@@ -88,6 +88,15 @@ TEST(MapNpzWriter, WritesAllColumnsOfAMapThatStoresSome) {
   EXPECT_EQ(arrays.numbers("elements").value(), (std::vector<double>{1, 4}));
 }
 
+TEST(MapNpzWriter, KeepsLayers) {
+  const TemporaryFolder folder;
+  SomParameters parameters = of_sides(1, 2);
+  parameters.layers = {{"a", 0, 2, Similarity::kEuclidean, 1.0, 0.5},
+                       {"b=;", 2, 1, Similarity::kManhattan, 2.0, 3.0}};
+  expect_identity({Som(parameters, Matrix<float>(2, 3, {0, 1, 2, 3, 4, 5})), {}, {}, {}, {}},
+                  folder);
+}
+
 TEST(MapNpzWriter, WritesTheEdgesOfAMapThatGrows) {
   const TemporaryFolder folder;
   const Matrix<float> weights(3, 1, {1, 2, 3});

@@ -112,6 +112,25 @@ SomModel small_model() {
           NeuronLabels({std::nullopt, 1})};
 }
 
+// A map of a system that grows, which another program has given as a map of a table.
+TEST(SomModel, OfAGraphIsTheSameWhenLoaded) {
+  const auto graph =
+      std::make_shared<const NeuronGraph>(3, std::vector<NeuronGraph::Edge>{{0, 1}, {1, 2}});
+  SomParameters parameters;
+  parameters.rows = 1;
+  parameters.columns = 3;
+  const SomModel model{
+      Som(resolve(parameters, 4, 1).value(), Matrix<float>(3, 1, {0, 1, 2}), graph),
+      {"x"},
+      {},
+      {},
+      {}};
+  const auto loaded = decode_som_model(encode_som_model(model), "bytes");
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  ASSERT_NE(loaded->som.grid().graph(), nullptr);
+  EXPECT_EQ(loaded->som.grid().graph()->edges(), graph->edges());
+}
+
 TEST(SomModel, PreparesSamplesAsItWasTrained) {
   const Samples samples(Matrix<float>(1, 3, {2, 7, 7}));
   const Samples prepared = small_model().prepare(samples);
@@ -161,7 +180,23 @@ TEST(SomModel, KnowsTheScalesOfItsColumns) {
   EXPECT_EQ(model.means, (std::vector<double>{4, 1, 6}));
   model.standardization.reset();
   EXPECT_EQ(model.scales()[0].offset, 0.0);
-  EXPECT_EQ(model.scales()[0].deviation, 1.5);  // of the weights 0 and 3
+  EXPECT_EQ(model.scales()[0].deviation, 4 * 1.5);  // four times that of the weights 0 and 3
+}
+
+// A constant column of online training: its weights are a few units in the last place apart.
+TEST(SomModel, KnowsNoDeviationOfAColumnWhoseWeightsDifferByRounding) {
+  SomParameters parameters;
+  parameters.rows = 1;
+  parameters.columns = 2;
+  const float near = std::nextafter(std::nextafter(9.81F, 10.0F), 10.0F);
+  const SomModel model{
+      Som(resolve(parameters, 4, 2).value(), Matrix<float>(2, 2, {9.81F, 0.0F, near, 1e-6F})),
+      {},
+      {},
+      {},
+      {}};
+  EXPECT_EQ(model.scales()[0].deviation, 0.0);
+  EXPECT_NEAR(model.scales()[1].deviation, 4 * 5e-7, 1e-11);
 }
 
 TEST(SomModel, RefusesToSaveWhatCouldNotBeLoaded) {
