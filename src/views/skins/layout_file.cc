@@ -101,13 +101,13 @@ Result<std::string> media_type(const std::string& picture, const std::string& wh
 // The marks of the begin and the end of a file of that type.
 bool is_image(std::string_view bytes, std::string_view type) {
   if (type == "image/png") {
-    return bytes.starts_with("\x89PNG\r\n\x1a\n") && bytes.find("IEND") != bytes.npos;
+    return bytes.starts_with("\x89PNG\r\n\x1a\n") && bytes.find("IEND") != std::string_view::npos;
   }
   if (type == "image/jpeg") {
-    return bytes.starts_with("\xff\xd8\xff") && bytes.rfind("\xff\xd9") != bytes.npos;
+    return bytes.starts_with("\xff\xd8\xff") && bytes.rfind("\xff\xd9") != std::string_view::npos;
   }
   const std::size_t root = bytes.find("<svg");
-  return root != bytes.npos && bytes.find('>', root) != bytes.npos;
+  return root != std::string_view::npos && bytes.find('>', root) != std::string_view::npos;
 }
 
 Result<std::string> image_of(const LayoutKeys& keys, const fs::path& folder,
