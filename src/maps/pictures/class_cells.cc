@@ -94,7 +94,10 @@ struct FittedText {
 std::optional<FittedText> fitted(const std::string& text, const Cells& cells) {
   const double width = 0.92 * cells.text_area().x;
   const double height = 0.96 * cells.text_area().y;
-  for (double size = kGreatestText; size >= kLeastText; size -= 0.5) {
+  constexpr double kStep = 0.5;
+  constexpr int kSteps = static_cast<int>((kGreatestText - kLeastText) / kStep);
+  for (int step = 0; step <= kSteps; ++step) {
+    const double size = kGreatestText - kStep * step;
     const auto lines = lines_of(text, width, size);
     const bool is_narrow = std::all_of(lines.begin(), lines.end(), [&](const std::string& line) {
       return text_width(line, size) <= width;

@@ -60,6 +60,7 @@ void draw_expanded(SvgWriter& svg, const PanelFrame& frame, const EdgePanel& pan
   draw_cells(svg, frame, fills, [&](std::size_t cell) { return all.descriptions[cell]; });
   draw_coarse_outlines(svg, frame, panel, expanded.cell_of(0));
   std::vector<std::size_t> neurons;
+  neurons.reserve(panel.grid.size());
   for (std::size_t i = 0; i < panel.grid.size(); ++i) neurons.push_back(expanded.cell_of(i));
   draw_dots(svg, frame, neurons, fills);
 }
@@ -67,6 +68,7 @@ void draw_expanded(SvgWriter& svg, const PanelFrame& frame, const EdgePanel& pan
 void draw_graph(SvgWriter& svg, const PanelFrame& frame, const EdgePanel& panel,
                 const ValueRange& range) {
   std::vector<Colour> fills;
+  fills.reserve(panel.values.size());
   for (const double value : panel.values) fills.push_back(sequential_colour(range.place_of(value)));
   draw_cells(svg, frame, fills, [&](std::size_t neuron) {
     return place_of(panel.grid, neuron) + ": " + readable_number(panel.values[neuron]);

@@ -141,16 +141,18 @@ std::vector<std::optional<std::size_t>> majorities(const LabelPanel& panel) {
 bool has_numbers(const LabelPanel& panel, const Cells& cells) {
   if (panel.marks != LabelMarks::kText) return false;
   std::vector<std::string> names;
+  names.reserve(panel.class_names.size());
   for (const std::string& name : panel.class_names) names.push_back(shown_name(name));
   return !fit_in_cells(names, cells);
 }
 
 // Cells with texts are larger if the names fit into larger ones.
 double pixels_of(const LabelPanel& panel) {
-  constexpr double kLargest = 1.6;
+  constexpr int kMostTenths = 16;
   const double usual = cell_pixels(panel.grid);
-  for (double larger = 1.0; larger <= kLargest; larger += 0.1) {
-    if (!has_numbers(panel, Cells(panel.grid, larger * usual))) return larger * usual;
+  for (int tenths = 10; tenths <= kMostTenths; ++tenths) {
+    const double pixels = tenths * usual / 10.0;
+    if (!has_numbers(panel, Cells(panel.grid, pixels))) return pixels;
   }
   return usual;
 }
@@ -159,6 +161,7 @@ double pixels_of(const LabelPanel& panel) {
 std::vector<std::string> texts_of(const LabelPanel& panel, const Cells& cells) {
   const bool numbers = has_numbers(panel, cells);
   std::vector<std::string> texts;
+  texts.reserve(panel.class_names.size());
   for (std::size_t i = 0; i < panel.class_names.size(); ++i) {
     texts.push_back(numbers ? fmt::format("{}", i + 1) : shown_name(panel.class_names[i]));
   }
@@ -186,6 +189,7 @@ std::vector<Colour> fills_of(const LabelPanel& panel, const std::vector<std::siz
 Legend legend_of(const LabelPanel& panel, const PanelFrame& frame) {
   if (!has_numbers(panel, frame.cells)) return {panel.class_names, frame.width};
   std::vector<std::string> names;
+  names.reserve(panel.class_names.size());
   for (std::size_t i = 0; i < panel.class_names.size(); ++i) {
     names.push_back(fmt::format("{}  {}", i + 1, shown_name(panel.class_names[i])));
   }

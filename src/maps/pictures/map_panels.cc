@@ -112,6 +112,7 @@ std::vector<Panel> component_panels(const Som& som, const std::vector<std::strin
           "component planes need one name per input element");
   const std::vector<std::size_t> elements = drawn_elements(som, most, sorting);
   std::vector<std::vector<double>> planes;
+  planes.reserve(elements.size());
   for (const std::size_t i : elements) planes.push_back(component_plane(som, i));
   const auto limits = scale == PlaneScale::kCommon ? limits_of(planes) : std::nullopt;
   std::vector<Panel> panels;

@@ -45,10 +45,10 @@ class WeightStrips::Workspace {
   StripRows rows;                // of sparse ones
 };
 
-WeightStrips::WeightStrips(const SomParameters& parameters, const SampleProducts& samples,
+WeightStrips::WeightStrips(SomParameters parameters, const SampleProducts& samples,
                            std::vector<std::uint32_t> elements, std::vector<std::uint32_t> places,
                            InitialRanges ranges)
-    : parameters_(parameters),
+    : parameters_(std::move(parameters)),
       samples_(samples),
       elements_(std::move(elements)),
       places_(std::move(places)),

@@ -25,7 +25,7 @@ class WeightStrips {
  public:
   /// `elements`, ascending, are those where weights can be other than 0; their weights stand at
   /// `places` of the whole.
-  WeightStrips(const SomParameters& parameters, const SampleProducts& samples,
+  WeightStrips(SomParameters parameters, const SampleProducts& samples,
                std::vector<std::uint32_t> elements, std::vector<std::uint32_t> places,
                InitialRanges ranges);
 

@@ -93,13 +93,14 @@ void write_on_plane(const PrincipalPlane& plane, const SomParameters& parameters
   if (parameters.similarity == Similarity::kDotProduct) normalize_length(out);
 }
 
-InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples,
+InitialWeightsSource::InitialWeightsSource(SomParameters parameters, const Samples& samples,
                                            std::size_t threads)
-    : InitialWeightsSource(parameters, samples, StoredElements(samples.size()), threads) {}
+    : InitialWeightsSource(std::move(parameters), samples, StoredElements(samples.size()),
+                           threads) {}
 
-InitialWeightsSource::InitialWeightsSource(const SomParameters& parameters, const Samples& samples,
+InitialWeightsSource::InitialWeightsSource(SomParameters parameters, const Samples& samples,
                                            StoredElements elements, std::size_t threads)
-    : parameters_(parameters), samples_(samples), elements_(std::move(elements)) {
+    : parameters_(std::move(parameters)), samples_(samples), elements_(std::move(elements)) {
   require(samples.size() == elements_.count(), "initial weights need the stored elements' samples");
   require(samples.count() > 0, "initial weights need at least one sample");
   if (parameters_.initial_weights == InitialWeights::kSamples) {

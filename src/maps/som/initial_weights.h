@@ -40,14 +40,13 @@ class InitialWeightsSource {
   /// `samples` are the inputs as the map sees them (already of length 1 where it normalizes) and
   /// must outlive this object; at least one. check_initial_weights() accepts them. `threads` do
   /// not affect the weights.
-  InitialWeightsSource(const SomParameters& parameters, const Samples& samples,
-                       std::size_t threads = 1);
+  InitialWeightsSource(SomParameters parameters, const Samples& samples, std::size_t threads = 1);
 
   /// The same for samples reduced to the stored `elements`, without values elsewhere: the weights
   /// of those elements, bit by bit, which is meaningful if all others are 0 (see
   /// are_zero_without_samples()). Throws InvalidArgument unless the samples have a value for each.
-  InitialWeightsSource(const SomParameters& parameters, const Samples& samples,
-                       StoredElements elements, std::size_t threads = 1);
+  InitialWeightsSource(SomParameters parameters, const Samples& samples, StoredElements elements,
+                       std::size_t threads = 1);
 
   /// Whether an element that is 0 in all samples starts with the weight 0.
   static bool are_zero_without_samples(const SomParameters& parameters) {
