@@ -84,8 +84,8 @@ std::optional<NeighbourhoodShape> neighbourhood_in(std::string_view field) {
 
 class CodReader {
  public:
-  CodReader(std::string_view text, const std::string& where, const SomParameters& parameters)
-      : lines_(text), bytes_(text.size()), where_(where), parameters_(parameters) {}
+  CodReader(std::string_view text, const std::string& where, SomParameters parameters)
+      : lines_(text), bytes_(text.size()), where_(where), parameters_(std::move(parameters)) {}
 
   Result<ImportedMap> read() {
     SOMATO_TRY_VOID(read_lines());
@@ -95,10 +95,9 @@ class CodReader {
                                 *parameters_.rows * *parameters_.columns));
     }
     std::vector<std::string> features = names_of_features();
-    MapArray array{{*parameters_.rows, *parameters_.columns, weights_.columns()},
-                   std::move(weights_)};
-    SOMATO_TRY(auto model,
-               map_of_weights(parameters_, std::move(array), std::move(features), where_));
+    const MapArray array{{*parameters_.rows, *parameters_.columns, weights_.columns()},
+                         std::move(weights_)};
+    SOMATO_TRY(auto model, map_of_weights(parameters_, array, std::move(features), where_));
     add_labels(model);
     return ImportedMap{std::move(model), std::move(notes_)};
   }
