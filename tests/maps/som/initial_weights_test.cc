@@ -131,7 +131,8 @@ TEST(InitialWeights, LinearOnesHaveLengthOneForADotProductMap) {
   Random random(4);
   SomParameters p = parameters_with(InitialWeights::kLinear);
   p.similarity = Similarity::kDotProduct;
-  const InitialWeightsSource source(p, testing::random_samples(20, 6, false, random));
+  const Samples samples = testing::random_samples(20, 6, false, random);
+  const InitialWeightsSource source(p, samples);
   for (std::size_t neuron = 0; neuron < p.grid().size(); ++neuron) {
     double square = 0.0;
     for (const float weight : weights_of(source, neuron, 6)) square += double{weight} * weight;
