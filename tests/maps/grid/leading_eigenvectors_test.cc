@@ -95,7 +95,9 @@ TEST(LeadingEigenvectors, OfAMatrixOfLowRankHaveTheValueZeroBeyondIt) {
     const Eigenvectors found = leading_eigenvectors(made.matrix, 2);
     EXPECT_EQ(found.values.size(), std::min<std::size_t>(size, 2));
     EXPECT_NEAR(found.values[0] / 1e30, 1.0, 1e-12);
-    if (size > 1) EXPECT_NEAR(found.values[1] / 1e30, 0.0, 1e-12);
+    if (size > 1) {
+      EXPECT_NEAR(found.values[1] / 1e30, 0.0, 1e-12);
+    }
     const Eigenvectors none = leading_eigenvectors(Matrix<double>(size, size), 2);
     EXPECT_EQ(none.values.front(), 0.0);
   }

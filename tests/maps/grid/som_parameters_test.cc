@@ -105,7 +105,9 @@ TEST(SomParameters, RefuseInnerProductsForOtherDistances) {
     parameters.arithmetic = Arithmetic::kInnerProducts;
     const auto resolved = resolve(parameters, 30, 270000);
     EXPECT_EQ(resolved.has_value(), follows) << name;
-    if (!follows) EXPECT_EQ(resolved.error().kind, ErrorKind::kUsage) << name;
+    if (!follows) {
+      EXPECT_EQ(resolved.error().kind, ErrorKind::kUsage) << name;
+    }
   }
 }
 

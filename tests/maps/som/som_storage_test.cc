@@ -90,7 +90,9 @@ TEST(SomStoredElements, TrainToTheSameBitsAsAllElements) {
     // The greatest difference may be that of an element without a weight.
     const bool chebyshev = problem.parameters.similarity == Similarity::kChebyshev;
     EXPECT_EQ(some.elements().all(), chebyshev) << problem.name;
-    if (!chebyshev) EXPECT_LE(some.weights().columns(), 12U);
+    if (!chebyshev) {
+      EXPECT_LE(some.weights().columns(), 12U);
+    }
     expect_same_weights(some, all, problem.name);
     expect_same_weights(untrained_som(problem.parameters, problem.samples).value(),
                         untrained_som(problem.parameters, dense_rows(problem.samples)).value(),

@@ -163,7 +163,9 @@ TEST(IncompleteTraining, OfCompleteSamplesIsPlainTraining) {
     const Som known = train_som(p, problem.filled, options).value();
     const Som plain = train_som(p, problem.filled).value();
     const bool same_passes = training == Training::kBatch || p.similarity != Similarity::kEuclidean;
-    if (same_passes) EXPECT_EQ(known.weights(), plain.weights());
+    if (same_passes) {
+      EXPECT_EQ(known.weights(), plain.weights());
+    }
   }
 }
 

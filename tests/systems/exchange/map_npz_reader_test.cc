@@ -145,7 +145,9 @@ TEST(MapNpzReader, RefusesOrIgnoresEveryTurnedBitAndRefusesEveryTruncation) {
     std::string damaged = whole;
     damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
     const auto read_back = map_in_npz(damaged, path);
-    if (read_back) EXPECT_TRUE(encode_som_model(*read_back) == wanted) << bit;
+    if (read_back) {
+      EXPECT_TRUE(encode_som_model(*read_back) == wanted) << bit;
+    }
   }
   for (std::size_t size = 0; size < whole.size(); size += 59) {
     EXPECT_FALSE(map_in_npz(whole.substr(0, size), path)) << size;
