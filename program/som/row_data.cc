@@ -11,7 +11,7 @@
 
 #include "base/files/whole_file.h"
 #include "flags/memory_flag.h"
-#include "maps/som/initial_weights.h"
+#include "maps/grid/feature_ranges.h"
 #include "som/column_report.h"
 #include "som/data.h"
 #include "somato/core/matrix.h"

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,7 +45,7 @@ class LayerPrediction {
     auto rows = read_rows(arguments, of_others(model_.features), nullptr,
                           scales.size() > 1 ? of_others(scales) : scales);
     if (rows) SOMATO_TRY_VOID(check_fills_of(model_, *rows, path_));
-    whole_ = model_;
+    standardization_ = model_.standardization;
     model_.subtract_offsets();
     if (!rows || rows->size() == model_.som.input_size() - layer_.count) return rows;
     return fail(ErrorKind::kData,
@@ -111,16 +112,15 @@ class LayerPrediction {
   // In the unit of the column, as precise as weights are; a standardized column may have an offset.
   std::string number_of(std::size_t column, float weight) const {
     const std::size_t element = layer_.first + column;
-    const double number = in_units(whole_, element, weight);
-    const bool has_offset =
-        whole_.standardization && whole_.standardization->offsets()[element] != 0.0;
+    const double number = in_units(standardization_, element, weight);
+    const bool has_offset = standardization_ && standardization_->offsets()[element] != 0.0;
     return has_offset ? fmt::format("{:.12g}", number)
                       : fmt::format("{:.9g}", static_cast<float>(number));
   }
 
   std::string path_;
   SomModel model_;
-  SomModel whole_;  // with the offsets of its standardization
+  std::optional<Standardization> standardization_;  // with its offsets
   Layer layer_;
   MissingFill missing_ = MissingFill::kRefuse;
 };

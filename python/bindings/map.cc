@@ -289,7 +289,8 @@ nb::object Map::predict_layer(const SampleRows& rows, const std::string& name,
       const Matrix<float> found = somato::predict_layer(model_.som, layer, part, threads);
       for (std::size_t i = 0; i < found.rows(); ++i) {
         for (std::size_t d = 0; d < layer.count; ++d) {
-          predicted[(first + i) * layer.count + d] = in_units(model_, layer.first + d, found(i, d));
+          predicted[(first + i) * layer.count + d] =
+              in_units(model_.standardization, layer.first + d, found(i, d));
         }
       }
     });

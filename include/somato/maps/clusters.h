@@ -92,7 +92,7 @@ struct ClusterParameters {
 /// samples or not.
 ///
 /// Without `count`, the number with the best index from 2 to `most_clusters` is selected, the lower
-/// one in a tie; weights that are equal up to rounding, 2^-20 of the greatest, are one cluster, and
+/// one in a tie; weights that are equal up to rounding, 2^-18 of the greatest, are one cluster, and
 /// the watershed gives as many as the U-matrix has basins. With `count`, it fills the shallowest
 /// basin into its lowest neighbour until so many are left.
 ///

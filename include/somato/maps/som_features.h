@@ -84,7 +84,7 @@ inline constexpr std::size_t kMostPlanes = 2048;
 /// clustering of the planes, which are first scaled to mean 0 and length 1, so that the squared
 /// distance of two planes is 2 (1 - correlation). The number of groups, at most 20, is that
 /// with the highest mean silhouette. Of two merged clusters, that of the lowest feature comes
-/// first. Planes that are constant up to 2^-20 of their greatest absolute weight have no
+/// first. Planes that are constant up to 2^-18 of their greatest absolute weight have no
 /// correlation; they follow last, as one group. Throws InvalidArgument for more than kMostPlanes
 /// features. Takes features^2 x neurons operations.
 PlaneOrder order_planes(const Som& som);

@@ -21,8 +21,7 @@ ClusterMeans::ClusterMeans(const WeightedPoints& points, const PointClusters& cl
 }
 
 bool differ(double low, double high) {
-  constexpr double kRounding = 1.0 / (1 << 18);
-  return high - low > kRounding * std::max(std::abs(low), std::abs(high));
+  return high - low > kRoundingOfWeights * std::max(std::abs(low), std::abs(high));
 }
 
 double squared_distance(std::span<const double> a, std::span<const double> b) {

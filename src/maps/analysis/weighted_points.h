@@ -27,8 +27,12 @@ struct ClusterMeans {
   ClusterMeans(const WeightedPoints& points, const PointClusters& clusters, std::size_t count);
 };
 
+/// The share of the greatest absolute weight of a column by which rounding may change its weights:
+/// online training moves those of a constant column by some units in the last place.
+inline constexpr double kRoundingOfWeights = 0x1p-18;
+
 /// Whether numbers from `low` to `high` differ by more than training in single precision rounds: by
-/// more than 2^-20 of the greatest absolute number, which is a few units in the last place.
+/// more than kRoundingOfWeights of the greatest absolute number.
 bool differ(double low, double high);
 
 double squared_distance(std::span<const double> a, std::span<const double> b);

@@ -14,11 +14,10 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kMostRowsOfPlane = 4096;  // of a matrix whose eigenvectors are computed
-constexpr std::size_t kPlaneStrip = 64;         // rows that are multiplied at once
-constexpr std::size_t kRowsOfPlaneTask = 16;    // of the sums
-constexpr double kNoVariance = 1e-12;           // of that of the first component
-constexpr int kMostPlaneBits = 22;              // of the integer that stands for a value
+constexpr std::size_t kPlaneStrip = 64;       // rows that are multiplied at once
+constexpr std::size_t kRowsOfPlaneTask = 16;  // of the sums
+constexpr double kNoVariance = 1e-12;         // of that of the first component
+constexpr int kMostPlaneBits = 22;            // of the integer that stands for a value
 constexpr int kBitsOfPlaneSum = 62;
 constexpr std::size_t kSamplesExact = 512;  // the products of which a double holds: 2^9 2^44 = 2^53
 

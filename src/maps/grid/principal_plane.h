@@ -13,6 +13,9 @@
 
 namespace somato {
 
+/// The most rows of a matrix of which eigenvectors are computed.
+inline constexpr std::size_t kMostRowsOfPlane = 4096;
+
 /// The plane of the two largest principal components of samples. The covariance divides by the
 /// number of samples. A component with a variance of at most 1e-12 of that of the first is 0.
 struct PrincipalPlane {

@@ -7,6 +7,7 @@
 
 #include "base/core/threads.h"
 #include "base/kernels/product_kernels.h"
+#include "maps/grid/feature_ranges.h"
 #include "maps/som/initial_weights.h"
 #include "maps/som/som_preparation.h"
 #include "somato/core/check.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "maps/grid/feature_ranges.h"
 #include "maps/reading/winner_search.h"
 
 namespace somato {
@@ -18,23 +19,9 @@ Samples samples_of(const LaneMatrix<float>& weights, std::size_t most) {
   return Samples(std::move(rows));
 }
 
+// As many as check_plane() accepts.
 std::size_t neurons_of_plane(const LaneMatrix<float>& weights) {
-  constexpr std::size_t kMost = 4096;  // see check_plane()
-  return weights.columns() > kMost ? kMost : weights.rows();
-}
-
-// The least and the greatest value of each element.
-std::pair<std::vector<float>, std::vector<float>> ranges_of(const Samples& rows) {
-  std::pair<std::vector<float>, std::vector<float>> ranges;
-  ranges.first.assign(rows[0].values.begin(), rows[0].values.end());
-  ranges.second = ranges.first;
-  for (std::size_t i = 1; i < rows.count(); ++i) {
-    for (std::size_t d = 0; d < rows.size(); ++d) {
-      ranges.first[d] = std::min(ranges.first[d], rows[i].values[d]);
-      ranges.second[d] = std::max(ranges.second[d], rows[i].values[d]);
-    }
-  }
-  return ranges;
+  return weights.columns() > kMostRowsOfPlane ? kMostRowsOfPlane : weights.rows();
 }
 
 double length_of(const std::vector<double>& vector) {
@@ -65,7 +52,9 @@ double variance_of(const Samples& rows, const std::vector<double>& mean) {
 
 WeightPlane::WeightPlane(const Som& som) {
   const Samples some = samples_of(som.weights(), neurons_of_plane(som.weights()));
-  const auto [low, high] = ranges_of(some);
+  std::vector<float> low;
+  std::vector<float> high;
+  widen_ranges(some, low, high);
   PrincipalPlane plane = principal_plane(some, low, high);
   const double variance = variance_of(some, plane.mean);
   axes_ = {std::move(plane.first), std::move(plane.second)};

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "maps/grid/principal_plane.h"
-#include "somato/core/process_group.h"
 #include "somato/core/samples.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_parameters.h"
@@ -16,14 +15,6 @@ namespace somato {
 /// The sample that each neuron starts at with InitialWeights::kSamples, of `samples` in all: in
 /// random order, and in a new order whenever they run out. `samples` must not be 0.
 std::vector<std::size_t> initial_samples(const SomParameters& parameters, std::size_t samples);
-
-/// Widens `low` and `high`, the least and the greatest value of each feature, by the samples. Empty
-/// ones become the samples' own.
-void widen_ranges(const Samples& samples, std::vector<float>& low, std::vector<float>& high);
-
-/// Widens the ranges of `size` features by those of all processes. Empty ones do not widen them.
-void combine_ranges(ProcessGroup& processes, std::size_t size, std::vector<float>& low,
-                    std::vector<float>& high);
 
 /// Refuses (kUsage) initial weights that take too long to compute for these samples, as the map
 /// sees them.

@@ -126,10 +126,9 @@ SomParameters with_scales(SomParameters parameters, const Samples& samples) {
 Result<Layer> layer_named(const SomParameters& parameters, const std::string& name) {
   std::string names;
   for (const Layer& layer : parameters.layers) {
-    if (layer.name == name && parameters.layers.size() > 1) return layer;
     names += (names.empty() ? "" : ", ") + layer.name;
-  }
-  if (names == name) {
+    if (layer.name != name) continue;
+    if (parameters.layers.size() > 1) return layer;
     return fail(ErrorKind::kUsage,
                 fmt::format("'{}' is the map's only layer, which no other predicts", name), {},
                 "train a map with several layers");

@@ -239,7 +239,8 @@ std::size_t Som::winner_among(std::span<const std::size_t> candidates, const Sig
 
 // In the place of the scores.
 void Som::find_similarities(const SignalView& input, SomWorkspace& workspace) const {
-  const std::span<const float> all = scores(input, workspace);
+  const std::span<const float> prepared = prepare(input, workspace);
+  const std::span<const float> all = scores_of(prepared, workspace);
   if (parameters_.layers.empty() && parameters_.similarity == Similarity::kDotProduct) return;
   if (follows_from_products(parameters_)) {
     similarities_of_squares(workspace.scores_, workspace.left_out_);
@@ -247,7 +248,7 @@ void Som::find_similarities(const SignalView& input, SomWorkspace& workspace) co
   }
   const Similarity similarity =
       parameters_.layers.empty() ? parameters_.similarity : Similarity::kManhattan;  // a distance
-  const DistanceOfScore distance(similarity, prepare(input, workspace), workspace.left_out_);
+  const DistanceOfScore distance(similarity, prepared, workspace.left_out_);
   std::transform(all.begin(), all.end(), workspace.scores_.begin(), [&](float score) {
     return static_cast<float>(1.0 / (1.0 + distance(double{score})));
   });

@@ -7,6 +7,7 @@
 
 #include "base/core/threads.h"
 #include "base/kernels/batch_kernels.h"
+#include "maps/grid/feature_ranges.h"
 #include "maps/grid/neighbourhood_mixing.h"
 #include "maps/reading/winner_search.h"
 #include "maps/som/fill_from_winner.h"

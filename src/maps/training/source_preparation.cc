@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/core/memory.h"
+#include "maps/grid/feature_ranges.h"
 #include "maps/som/initial_weights.h"
 #include "maps/som/som_preparation.h"
 

@@ -27,9 +27,10 @@ Samples complete_inputs(const SomModel& model, MissingFill missing, const Sample
   return model.prepare(samples);
 }
 
-double in_units(const SomModel& model, std::size_t element, float weight) {
-  if (!model.standardization) return double{weight};
-  const auto& [means, deviations] = *model.standardization;
+double in_units(const std::optional<Standardization>& standardization, std::size_t element,
+                float weight) {
+  if (!standardization) return double{weight};
+  const auto& [means, deviations] = *standardization;
   return std::fma(deviations[element], double{weight}, means[element]);
 }
 

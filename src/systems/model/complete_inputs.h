@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
 #include "somato/graph/som_model.h"
@@ -16,8 +19,9 @@ Result<void> check_fills(const SomModel& model, MissingFill missing);
 /// model's map. The model must pass check_fills().
 Samples complete_inputs(const SomModel& model, MissingFill missing, const Samples& samples);
 
-/// A weight of the model's map for `element` in the unit of the data.
-double in_units(const SomModel& model, std::size_t element, float weight);
+/// A weight of a map for `element` in the unit of the data that were standardized, or not.
+double in_units(const std::optional<Standardization>& standardization, std::size_t element,
+                float weight);
 
 /// The map after training on dense samples in memory with missing values (NaN), which are left out:
 /// TrainingOptions::incomplete, with initial weights as if they were the means of their columns.

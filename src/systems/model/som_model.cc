@@ -7,6 +7,7 @@
 
 #include "base/archives/archive.h"
 #include "base/files/toml_file.h"
+#include "maps/analysis/weighted_points.h"
 #include "maps/som/map_parts.h"
 #include "maps/som/som_archive.h"
 #include "somato/core/check.h"
@@ -31,9 +32,6 @@ const std::set<std::string> kKnownParts{kSomPrefix + "parameters",
                                         "labels",
                                         "means",
                                         "samples_seen"};
-
-// Online training moves the weights of a constant column by some units in the last place.
-constexpr double kRoundingOfWeights = 0x1p-18;
 
 // The weights of a map are means of data, and those of a few neurons spread several times less.
 constexpr double kSpreadOfData = 4.0;

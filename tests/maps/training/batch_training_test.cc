@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/support/instruction_sets.h"
+#include "maps/grid/feature_ranges.h"
 #include "maps/reading/winner_search.h"
 #include "maps/som/initial_weights.h"
 #include "maps/support/random_maps.h"
