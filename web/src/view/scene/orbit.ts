@@ -31,7 +31,10 @@ export class Orbit {
     this.controls.maxDistance = kFarthest;
     this.controls.keyPanSpeed = kKeyPan;
     this.controls.listenToKeyEvents(this.keys);
-    this.controls.addEventListener("change", changed);
+    this.controls.addEventListener("change", () => {
+      camera.updateMatrix(); // the controls move along its axes, else those of the picture drawn last
+      changed();
+    });
     host.addEventListener("wheel", () => (this.controls.enableZoom = this.takesWheel()), { capture: true });
     host.addEventListener("keydown", (event) => this.key(event));
   }
