@@ -130,8 +130,10 @@ Result<SomMeasures> measure_rows(const MapAndRows& both, std::vector<SomMeasure>
 
 Result<void> measure_features(const MapAndRows& both, const std::vector<std::size_t>& winners,
                               FeatureMeasurement& measurement) {
-  PreparedRows prepared(both.model, both.rows);
-  StoppableRows rows(prepared.samples());
+  ChangedSamples prepared(both.rows.samples(),
+                          [&](const Samples& part) { return both.model.prepare(part); });
+  ReadAhead ahead(prepared);
+  StoppableRows rows(ahead);
   std::span<const std::size_t> left(winners);
   return for_each_part(rows, [&](const Samples& part) -> Result<void> {
     measurement.add(part, left.first(part.count()));

@@ -85,7 +85,8 @@ Result<SomQuality> measure_rows(const SomModel& model, const RowData& rows, std:
 Result<SomMeasures> measure_rows(const MapAndRows& both, std::vector<SomMeasure> chosen,
                                  const MeasureParameters& parameters, std::size_t threads);
 
-/// Reads the rows once more, whose winners are known, to measure their features.
+/// Reads the rows once more, whose winners are known, to measure their features. Values that are
+/// missing in the rows, and that their winners would fill, are left out.
 /// Errors: those of the file; kInterrupted.
 Result<void> measure_features(const MapAndRows& both, const std::vector<std::size_t>& winners,
                               FeatureMeasurement& measurement);

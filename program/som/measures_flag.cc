@@ -48,6 +48,30 @@ Result<void> refuse_parameters(const Arguments& arguments) {
   return {};
 }
 
+bool ranks_neighbours(const std::vector<SomMeasure>& chosen) {
+  return std::any_of(chosen.begin(), chosen.end(), [](SomMeasure measure) {
+    return measure == SomMeasure::kTrustworthiness || measure == SomMeasure::kContinuity ||
+           measure == SomMeasure::kNeighbourhoodPreservation;
+  });
+}
+
+Result<void> refuse_without_effect(const Arguments& arguments, const MeasuresRequest& request) {
+  const bool ranks = ranks_neighbours(request.chosen);
+  const auto refuse = [&](const char* name, bool has_effect,
+                          const char* advice) -> Result<void> {
+    if (has_effect || !arguments.has(name)) return {};
+    return fail(ErrorKind::kUsage, "has no effect on these measures", "--" + std::string(name),
+                advice);
+  };
+  const char* add_ranks = "add trustworthiness, continuity or neighbourhood_preservation";
+  SOMATO_TRY_VOID(refuse("neighbours", ranks, add_ranks));
+  SOMATO_TRY_VOID(refuse("ranked-samples", ranks, add_ranks));
+  SOMATO_TRY_VOID(refuse("shuffles", !request.chosen.empty() || request.classes,
+                         "add a measure of the whole map"));
+  return refuse("seed", ranks || request.parameters.shuffles > 0,
+                "only ranked samples and --shuffles are drawn");
+}
+
 // Measures that are not in the table yet.
 void add_values(const SomMeasures& measures, const std::string& prefix, Table& table) {
   for (const auto& [measure, value] : measures.values) {
@@ -180,7 +204,7 @@ Result<MeasuresRequest> read_measures(const Arguments& arguments) {
   request.lists_neurons = named("neurons");
   request.neurons = named("all") || named("neurons");
   request.classes = labelled && (named("all") || named("classes"));
-  return request;
+  return refuse_without_effect(arguments, request).map([&] { return request; });
 }
 
 Result<std::string> add_measures(const MeasuresRequest& request, const MapAndRows& both,

@@ -31,12 +31,13 @@ struct FeatureDifference {
 
 /// Measures the features of samples that are provided in parts, in double precision; the division
 /// into parts and the number of threads have no effect. The samples are as the map sees them: after
-/// normalization. Refers to the map, which must not change in the meantime.
+/// normalization. Missing values (NaN) are left out. Refers to the map, which must not change in
+/// the meantime.
 class FeatureMeasurement {
  public:
   /// `group_of_neuron` assigns neurons to groups below `groups`, whose samples are to be compared
   /// with all samples; a neuron of a greater number is in no group. Throws InvalidArgument unless
-  /// it has one number for each neuron, or is empty. Takes 8 bytes for each group and feature.
+  /// it has one number for each neuron, or is empty. Takes 16 bytes for each group and feature.
   explicit FeatureMeasurement(const Som& som, std::size_t threads = 1,
                               std::vector<std::size_t> group_of_neuron = {},
                               std::size_t groups = 0);
@@ -44,7 +45,7 @@ class FeatureMeasurement {
   /// Adds samples with their winners. Throws InvalidArgument if sizes or numbers differ.
   void add(const Samples& samples, std::span<const std::size_t> winners);
 
-  /// One for each element of an input. Without samples all are NaN.
+  /// One for each element of an input. All are NaN without a known value.
   std::vector<FeatureMeasures> features() const;
 
   /// The share of the variance of all features together that the map explains: 1 - sum |x - w|^2 /
@@ -52,8 +53,8 @@ class FeatureMeasurement {
   double explained_variance() const;
 
   /// The features by which a group differs from all samples, the greatest absolute difference
-  /// first; equal ones in the order of the features. Empty for a group without samples. Throws
-  /// InvalidArgument if there is no such group.
+  /// first; equal ones in the order of the features. Features without a known value in the group
+  /// are not listed. Throws InvalidArgument if there is no such group.
   std::vector<FeatureDifference> differences(std::size_t group) const;
 
  private:
@@ -62,12 +63,12 @@ class FeatureMeasurement {
   const Som& som_;
   std::size_t threads_;
   std::vector<std::size_t> group_of_neuron_;
-  std::size_t samples_ = 0;
   std::vector<double> means_;
   std::vector<double> squares_;    // sums of (x - mean)^2
   std::vector<double> residuals_;  // sums of (x - w)^2
+  std::vector<std::size_t> counts_;
   Matrix<double> group_sums_;
-  std::vector<std::size_t> group_samples_;
+  Matrix<std::size_t> group_counts_;
 };
 
 /// The component planes of a map in an order in which similar ones follow each other.

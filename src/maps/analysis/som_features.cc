@@ -42,8 +42,9 @@ FeatureMeasurement::FeatureMeasurement(const Som& som, std::size_t threads,
       means_(som.input_size()),
       squares_(som.input_size()),
       residuals_(som.input_size()),
+      counts_(som.input_size()),
       group_sums_(groups, som.input_size()),
-      group_samples_(groups) {
+      group_counts_(groups, som.input_size()) {
   require(group_of_neuron_.empty() || group_of_neuron_.size() == som.neurons(),
           "FeatureMeasurement: each neuron needs a group");
 }
@@ -71,35 +72,30 @@ void FeatureMeasurement::add_to_groups(const Samples& samples,
   for_each_range(samples.size(), threads_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = 0; i < rows.rows(); ++i) {
       const std::size_t group =
-          group_of_neuron_.empty() ? group_samples_.size() : group_of_neuron_[winners[i]];
-      const auto seen = static_cast<double>(samples_ + i + 1);
+          group_of_neuron_.empty() ? group_sums_.rows() : group_of_neuron_[winners[i]];
       for (std::size_t d = begin; d < end; ++d) {
         const double value{rows(i, d)};
+        if (std::isnan(value)) continue;
         const double change = value - means_[d];
-        means_[d] += change / seen;
+        means_[d] += change / static_cast<double>(++counts_[d]);
         squares_[d] += change * (value - means_[d]);
         const double error = value - double{som_.weight(winners[i], d)};
         residuals_[d] += error * error;
-        if (group < group_samples_.size()) group_sums_(group, d) += value;
+        if (group >= group_sums_.rows()) continue;
+        group_sums_(group, d) += value;
+        ++group_counts_(group, d);
       }
     }
   });
-  for (const std::size_t winner : winners) {
-    if (group_of_neuron_.empty()) break;
-    if (group_of_neuron_[winner] < group_samples_.size()) {
-      ++group_samples_[group_of_neuron_[winner]];
-    }
-  }
-  samples_ += rows.rows();
 }
 
 std::vector<FeatureMeasures> FeatureMeasurement::features() const {
   std::vector<FeatureMeasures> features(means_.size());
   for (std::size_t d = 0; d < features.size(); ++d) {
     features[d] =
-        samples_ == 0
+        counts_[d] == 0
             ? FeatureMeasures{kUndefined, kUndefined, kUndefined}
-            : FeatureMeasures{means_[d], std::sqrt(squares_[d] / static_cast<double>(samples_)),
+            : FeatureMeasures{means_[d], std::sqrt(squares_[d] / static_cast<double>(counts_[d])),
                               explained_share(residuals_[d], squares_[d])};
   }
   return features;
@@ -111,12 +107,13 @@ double FeatureMeasurement::explained_variance() const {
 }
 
 std::vector<FeatureDifference> FeatureMeasurement::differences(std::size_t group) const {
-  require(group < group_samples_.size(), "FeatureMeasurement: there is no such group");
+  require(group < group_sums_.rows(), "FeatureMeasurement: there is no such group");
   std::vector<FeatureDifference> differences;
-  if (group_samples_[group] == 0) return differences;
   const std::vector<FeatureMeasures> all = features();
   for (std::size_t d = 0; d < all.size(); ++d) {
-    const double mean = group_sums_(group, d) / static_cast<double>(group_samples_[group]);
+    const std::size_t count = group_counts_(group, d);
+    if (count == 0) continue;
+    const double mean = group_sums_(group, d) / static_cast<double>(count);
     const bool varies = all[d].deviation > 0.0;
     differences.push_back({d, varies ? (mean - all[d].mean) / all[d].deviation : 0.0});
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "maps/support/random_maps.h"
 #include "somato/core/check.h"
@@ -87,6 +88,26 @@ TEST(FeatureMeasurement, ComparesGroupsWithAll) {
   EXPECT_DOUBLE_EQ(measurement.features()[0].explained_variance, 1.0 - 4.0 / 104.0);
   EXPECT_TRUE(std::isnan(measurement.features()[2].explained_variance));
   EXPECT_DOUBLE_EQ(measurement.explained_variance(), 1.0 - 12.0 / 108.0);
+}
+
+// Known in column 0: -1, 1, 11; in column 1: 2 of the first neuron, 2 of the second.
+TEST(FeatureMeasurement, LeavesMissingValuesOut) {
+  const float missing = std::numeric_limits<float>::quiet_NaN();
+  const Samples samples(
+      Matrix<float>(4, 3, {-1, 2, missing, 1, missing, missing, missing, missing, 5, 11, 2, 5}));
+  const Som som = neurons_at_0_and_10();
+  FeatureMeasurement measurement(som, 1, {0, 1}, 2);
+  const Numbers winners{0, 0, 1, 1};
+  measurement.add(samples, winners);
+  const std::vector<FeatureMeasures> features = measurement.features();
+  EXPECT_DOUBLE_EQ(features[0].mean, 11.0 / 3.0);
+  EXPECT_DOUBLE_EQ(features[0].explained_variance, 1.0 - 3.0 / (123.0 - 121.0 / 3.0));
+  EXPECT_EQ(features[1].mean, 2.0);
+  EXPECT_TRUE(std::isnan(features[1].explained_variance));
+  const std::vector<FeatureDifference> differences = measurement.differences(0);
+  ASSERT_EQ(differences.size(), 2U) << "column 2 is known in no sample of the group";
+  EXPECT_EQ(differences[0].feature, 0U);
+  EXPECT_DOUBLE_EQ(differences[0].difference, (0.0 - features[0].mean) / features[0].deviation);
 }
 
 // Differences of 1 around a million, which a sum of squares in single precision would lose.

@@ -46,6 +46,10 @@ TEST_F(Analysis, MeasuresThatCannotBeAreRefused) {
   refused({"--measures", "trust"}, {"--measures", "trustworthiness"});
   refused({"--measures", "classes"}, {"--measures", "without labels", "--label-column"});
   refused({"--shuffles", "1"}, {"--shuffles", "without --measures"});
+  for (const char* flag : {"--neighbours", "--ranked-samples", "--seed"}) {
+    refused({"--measures", "explained_variance,neurons", flag, "3"}, {flag, "no effect"});
+  }
+  refused({"--measures", "neurons", "--shuffles", "3"}, {"--shuffles", "no effect"});
   refused({"--measures", "all", "--neighbours", "0"}, {"--neighbours", "1 to 1000000000"});
 }
 

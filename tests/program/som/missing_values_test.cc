@@ -61,6 +61,19 @@ TEST_F(MissingValues, AreRefusedWithTheirPlaceByDefault) {
   }
 }
 
+// Column a has 1, 2, 5 and 4: squares of 46 around the weight 0, and of 10 around the mean.
+TEST_F(MissingValues, AreNoPartOfWhatAMapExplains) {
+  write_tables();
+  write("zero.csv", "a,b,c\n1,10,2\n-1,-10,-2\n");
+  output_of({"som", "train", "zero.csv", "--rows", "1", "--columns", "1", "--training", "batch",
+             "--epochs", "1", "--missing", "mean", "-o", "zero.map"});
+  for (const char* fill : {"mean", "nearest", "leave_out"}) {
+    const std::string table =
+        output_of({"som", "features", "zero.map", "holes.csv", "--missing", fill});
+    EXPECT_NE(table.find("a,-3.6\n"), std::string::npos) << fill << "\n" << table;
+  }
+}
+
 TEST_F(MissingValues, AreFilledWithTheMeanOfTheRowsThatKnowThem) {
   write_tables();
   for (const Words& more : {Words{}, {"--standardize"}}) {
