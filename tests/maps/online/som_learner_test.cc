@@ -211,7 +211,7 @@ TEST(SomLearner, NeverMovesAWeightAwayFromItsSample) {
 
 // A gain below single precision moves nothing but a weight vector of zeros, hence no zeros here.
 TEST(SomLearner, FollowsTheEquations) {
-  for_each_stream(81, 6, 60, [](SampleStream stream, Random& random) {
+  for_each_stream(81, 3, 60, [](SampleStream stream, Random& random) {
     Oracle oracle(stream);
     Som som = stream.som;
     SomLearner learner(som);

@@ -88,21 +88,24 @@ TEST(LayersThreads, ChooseTheTrueWinnersByTheSumOfTheirDistances) {
     const Som som = layered_map(layers, weights, 6);
     const Matrix<float> rows = normal_rows(70, columns_of(layers), random);
     const Samples samples(rows);
+    const auto distance = [&](std::size_t s, std::size_t n) {
+      return layered(layers, rows.row(s), weights.row(n));
+    };
+    SomWorkspace workspace;
+    std::vector<std::size_t> winners(rows.rows(), 0);
+    for (std::size_t s = 0; s < rows.rows(); ++s) {
+      for (std::size_t n = 0; n < som.neurons(); ++n) {
+        if (distance(s, n) < distance(s, winners[s])) winners[s] = n;
+        ASSERT_NEAR(som.distance(samples[s], n, workspace), distance(s, n),
+                    1e-12 * (1 + distance(s, n)));
+      }
+    }
     testing::for_each_instruction_set([&](InstructionSet /*set*/) {
-      const auto found = winners_of(som, samples, 3);
-      SomWorkspace workspace;
+      ASSERT_EQ(winners_of(som, samples, 3), winners);
       std::vector<float> similarities(som.neurons());
       for (std::size_t s = 0; s < rows.rows(); ++s) {
-        std::size_t best = 0;
-        for (std::size_t n = 0; n < som.neurons(); ++n) {
-          const double distance = layered(layers, rows.row(s), weights.row(n));
-          if (distance < layered(layers, rows.row(s), weights.row(best))) best = n;
-          ASSERT_NEAR(som.distance(samples[s], n, workspace), distance, 1e-12 * (1 + distance));
-        }
-        ASSERT_EQ(found[s], best);
         som.similarities(samples[s], workspace, similarities);
-        const double distance = layered(layers, rows.row(s), weights.row(3));
-        ASSERT_NEAR(similarities[3], 1.0 / (1.0 + distance), 1e-5);
+        ASSERT_NEAR(similarities[3], 1.0 / (1.0 + distance(s, 3)), 1e-5);
       }
     });
   }

@@ -69,32 +69,32 @@ class Checkpoints : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+// Initial weights and lengths alternate over the variants; both kinds of samples see all of them.
 TEST_F(Checkpoints, OfOneNumberOfProcessesContinueOnAnotherWithTheSameBits) {
+  const std::vector<InitialWeights> initials{InitialWeights::kLinear, InitialWeights::kSamples,
+                                             InitialWeights::kRange};
+  const std::vector<std::size_t> sizes{2, 3, 4, 7, 25};  // more processes than samples, too
   std::size_t number = 0;
   for (const bool sparse : {false, true}) {
     const Samples samples = noise_for_checkpoints(sparse, 23);
     for (const testing::Variant& variant : testing::all_variants()) {
-      for (const auto initial : {number % 3 == 0 ? InitialWeights::kLinear : InitialWeights::kRange,
-                                 InitialWeights::kSamples}) {
-        SomParameters p = parameters_for(variant, initial);
-        p.tolerance = number % 2 == 0 ? 0.0 : 0.01;
-        p.patience = 2;
-        SamplesInMemory whole(samples);
-        const auto expected = train_som(p, whole);
-        ASSERT_TRUE(expected) << to_string(expected.error());
-        // More processes than samples, too.
-        const std::size_t size = std::vector<std::size_t>{2, 3, 4, 7, 25}[number++ % 5];
-        for (const auto& one : trained(p, samples, size, 2)) {
-          ASSERT_FALSE(one);
-          EXPECT_EQ(one.error().kind, ErrorKind::kInterrupted);
-        }
-        EXPECT_TRUE(std::filesystem::exists(path()));
-        for (const auto& one : trained(p, samples, size % 3 + 1)) {
-          ASSERT_TRUE(one) << to_string(one.error());
-          ASSERT_TRUE(one->weights() == expected->weights()) << testing::name_of(variant);
-        }
-        std::filesystem::remove(path());
+      SomParameters p = parameters_for(variant, initials[number % initials.size()]);
+      p.tolerance = number % 2 == 0 ? 0.0 : 0.01;
+      p.patience = 2;
+      SamplesInMemory whole(samples);
+      const auto expected = train_som(p, whole);
+      ASSERT_TRUE(expected) << to_string(expected.error());
+      const std::size_t size = sizes[number++ % sizes.size()];
+      for (const auto& one : trained(p, samples, size, 2)) {
+        ASSERT_FALSE(one);
+        EXPECT_EQ(one.error().kind, ErrorKind::kInterrupted);
       }
+      EXPECT_TRUE(std::filesystem::exists(path()));
+      for (const auto& one : trained(p, samples, size % 3 + 1)) {
+        ASSERT_TRUE(one) << to_string(one.error());
+        ASSERT_TRUE(one->weights() == expected->weights()) << testing::name_of(variant);
+      }
+      std::filesystem::remove(path());
     }
   }
 }
