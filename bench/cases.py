@@ -79,6 +79,8 @@ def rows(sets):
             [Variant("Euclidean", case="dense_batch")], minutes=2),
         Row("many_online_manhattan", "Manhattan online: 20000 x 64, map 50 x 50, 20000 iterations",
             [Variant("Euclidean", case="many_online")], minutes=0.5),
+        Row("layers_batch", "two layers, Euclidean and Manhattan, batch: 20000 x 64, map 50 x 50, 10 epochs", minutes=5),
+        Row("layers_online", "the same layers online, 20000 iterations", minutes=5),
         Row("clustered_search", "winners: 50 clusters, second half of 10 batch epochs",
             [Variant("nothing left out", case="clustered_search_of_all")], half=True, minutes=0.3),
         Row("t_mpsom", "T-MPSOM: 46 x 23 neurons, 2000 frames learned"),

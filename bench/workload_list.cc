@@ -47,6 +47,16 @@ SomParameters by(SomParameters p, Similarity similarity) {
   return p;
 }
 
+SomParameters in_two_layers(SomParameters p, std::size_t features) {
+  const std::size_t half = features / 2;
+  p.layers = {{.name = "left", .first = 0, .count = half},
+              {.name = "right",
+               .first = half,
+               .count = features - half,
+               .similarity = Similarity::kManhattan}};
+  return p;
+}
+
 }  // namespace
 
 std::vector<Workload> all_workloads(std::size_t scale) {
@@ -80,6 +90,9 @@ std::vector<Workload> all_workloads(std::size_t scale) {
       {"many_online", DataKind::kUniform, many, 64, online(large, part(20000, scale))},
       {"many_online_manhattan", DataKind::kUniform, many, 64,
        by(online(large, part(20000, scale)), Similarity::kManhattan)},
+      {"layers_batch", DataKind::kUniform, many, 64, in_two_layers(dense, 64)},
+      {"layers_online", DataKind::kUniform, many, 64,
+       in_two_layers(online(large, part(20000, scale)), 64)},
       {"clustered_search", DataKind::kClustered, many, 256, in_batch(large, 10)},
       {"clustered_search_of_all", DataKind::kClustered, many, 256, in_batch(large, 10)},
   };

@@ -1,4 +1,3 @@
-#include "base/text/flag_hint.h"
 #include "flags/commands.h"
 #include "flags/completion.h"
 #include "terminal/terminal.h"
@@ -6,7 +5,6 @@
 int main(int argc, char** argv) {
   using namespace somato::program;
   report_file_size_limits();
-  somato::name_flags_in_messages(true);
   std::vector<Command> commands{
       explore_command(),      reproduce_command(),      run_command(),
       sweep_command(),        merge_command(),          report_command(),

@@ -42,14 +42,25 @@ if (batch) {
   part <- min(1, rounds * nrow(data) / steps)
 }
 
+# Layers are halves of the columns, with a Euclidean and a Manhattan distance.
+distances <- "sumofsquares"
+layers <- function(rows) list(rows)
+if (grepl("layers", name)) {
+  distances <- c("euclidean", "manhattan")
+  half <- ncol(data) / 2
+  layers <- function(rows) {
+    list(rows[, 1:half, drop = FALSE], rows[, (half + 1):ncol(rows), drop = FALSE])
+  }
+}
+
 run <- if (name == "winners") {
   trained <- supersom(list(data[1:10, ]), grid, rlen = 1, init = list(initial))
   function() map(trained, list(data))
 } else {
   function() {
-    supersom(list(data), grid, rlen = rounds, alpha = c(0.3, 0.02),
+    supersom(layers(data), grid, rlen = rounds, alpha = c(0.3, 0.02), dist.fcts = distances,
              radius = c(number("radius_start"), number("radius_end")),
-             mode = if (batch) "pbatch" else "online", cores = threads, init = list(initial),
+             mode = if (batch) "pbatch" else "online", cores = threads, init = layers(initial),
              keep.data = FALSE)
   }
 }

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "base/kernels/instruction_set.h"
+#include "base/text/flag_hint.h"
 #include "flags/help_format.h"
 #include "flags/output.h"
 #include "flags/usage.h"
@@ -41,6 +42,16 @@ int report(const Error& error) {
 
 Error usage_error(const std::string& what, const std::string& where) {
   return {ErrorKind::kUsage, what, where, {}};
+}
+
+std::vector<std::string> flags_of(const Command& command) {
+  std::vector<std::string> flags;
+  flags.reserve(command.flags.size());
+  for (const Flag& flag : command.flags) flags.push_back(key_of(flag.name));
+  for (const ParameterInfo& info : command.parameters) {
+    flags.push_back(flag_of(info.name).substr(2));
+  }
+  return flags;
 }
 
 // A command's subparser and its parsed arguments.
@@ -77,6 +88,7 @@ class Parser {
     take_standard_streams(arguments);
     SOMATO_TRY_VOID(check_outputs(command_, arguments));
     if (app_.get_option("--quiet")->count() > 0) be_quiet();
+    name_flags_in_messages(flags_of(command_));
     return command_.run(arguments);
   }
 

@@ -57,8 +57,7 @@ bool ranks_neighbours(const std::vector<SomMeasure>& chosen) {
 
 Result<void> refuse_without_effect(const Arguments& arguments, const MeasuresRequest& request) {
   const bool ranks = ranks_neighbours(request.chosen);
-  const auto refuse = [&](const char* name, bool has_effect,
-                          const char* advice) -> Result<void> {
+  const auto refuse = [&](const char* name, bool has_effect, const char* advice) -> Result<void> {
     if (has_effect || !arguments.has(name)) return {};
     return fail(ErrorKind::kUsage, "has no effect on these measures", "--" + std::string(name),
                 advice);

@@ -430,6 +430,9 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         Warns:
             LeftOutWarning: The map does not contain everything that is in the file.
         """
+        if "layers" in parameters:
+            raise UsageError("a map in a file is not divided into layers afterwards", "SOM.load(layers)",
+                             "pass its array to SOM.from_weights")
         trained, notes = _somato.Map.imported(os.fspath(path), parameters,
                                               [str(name) for name in features or ()], variable or "")
         for note in notes:

@@ -195,3 +195,5 @@ def test_damaged_files_are_named(X, tmp_path):
         SOM.load(tmp_path / "objects.npz")
     with pytest.raises(UsageError, match="no effect"):
         SOM.load(tmp_path / "map.npz", lattice="hexagonal")
+    with pytest.raises(UsageError, match="SOM.from_weights"):
+        SOM.load(tmp_path / "map.npz", layers={"left": 2})

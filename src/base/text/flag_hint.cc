@@ -2,21 +2,26 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
+#include <algorithm>
+#include <utility>
 
 namespace somato {
 namespace {
 
-std::atomic<bool> names_flags = false;
+std::vector<std::string>& named_flags() {
+  static std::vector<std::string> flags;
+  return flags;
+}
 
 }  // namespace
 
-void name_flags_in_messages(bool flags) {
-  names_flags = flags;
+void name_flags_in_messages(std::vector<std::string> flags) {
+  named_flags() = std::move(flags);
 }
 
 std::string flag_hint(std::string_view flag, std::string_view value) {
-  if (!names_flags) return {};
+  const std::vector<std::string>& named = named_flags();
+  if (std::find(named.begin(), named.end(), flag) == named.end()) return {};
   return fmt::format(" (--{}{}{})", flag, value.empty() ? "" : " ", value);
 }
 

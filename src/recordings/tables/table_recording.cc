@@ -83,7 +83,7 @@ Result<void> check_known(const NumberTable& table, const std::string& where, boo
   }
   if (checked && trains) {
     checked = known.means(table.names).transform([](const auto& /*means*/) {});
-    if (!checked) checked.error().advice += flag_hint("--skip");
+    if (!checked) checked.error().advice += flag_hint("skip");
   }
   if (!checked) checked.error().where = where;
   return checked;

@@ -5,12 +5,14 @@
 namespace somato {
 namespace {
 
-TEST(FlagHint, IsEmptyUnlessMessagesNameFlags) {
+TEST(FlagHint, IsEmptyUnlessTheCommandHasTheFlag) {
   EXPECT_EQ(flag_hint("skip", "1"), "");
-  name_flags_in_messages(true);
+  name_flags_in_messages({"skip", "definitions"});
+  const std::string unknown = flag_hint("missing", "mean");
   const std::string with_value = flag_hint("skip", "1,3");
   const std::string without = flag_hint("definitions");
-  name_flags_in_messages(false);
+  name_flags_in_messages({});
+  EXPECT_EQ(unknown, "");
   EXPECT_EQ(with_value, " (--skip 1,3)");
   EXPECT_EQ(without, " (--definitions)");
 }
