@@ -44,7 +44,7 @@ Error usage_error(const std::string& what, const std::string& where) {
   return {ErrorKind::kUsage, what, where, {}};
 }
 
-std::vector<std::string> flags_of(const Command& command) {
+std::vector<std::string> names_of_flags(const Command& command) {
   std::vector<std::string> flags;
   flags.reserve(command.flags.size());
   for (const Flag& flag : command.flags) flags.push_back(key_of(flag.name));
@@ -88,7 +88,7 @@ class Parser {
     take_standard_streams(arguments);
     SOMATO_TRY_VOID(check_outputs(command_, arguments));
     if (app_.get_option("--quiet")->count() > 0) be_quiet();
-    name_flags_in_messages(flags_of(command_));
+    name_flags_in_messages(names_of_flags(command_));
     return command_.run(arguments);
   }
 
