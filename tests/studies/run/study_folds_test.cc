@@ -128,7 +128,7 @@ TEST(StudyOfFolds, HaveTheBestNeighbourUnderEveryProtocol) {
                                  Protocol::kLeaveGroupOut, Protocol::kObjectAfterObject};
   description.study.groups = {"trial"};
   description.study.folds = 2;
-  const Recording recording = testing::grasps(2, 3, 1);
+  const Recording recording = testing::grasps(2, 4, 1);
   const Recording more = testing::grasps(2, 2, 9);
   StudyOptions options;
   options.test_data = &more;
