@@ -42,7 +42,8 @@ std::string sentence(const std::string& text) {
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(' ', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
-    if (!line.empty() && line.size() + word.size() >= kWidth) lines += std::exchange(line, "") + "\n";
+    if (!line.empty() && line.size() + word.size() >= kWidth)
+      lines += std::exchange(line, "") + "\n";
     line += (line.empty() ? "  " : " ") + word;
     begin = end + 1;
   }

@@ -51,7 +51,6 @@ std::size_t largest_block(const FoldSamples& samples);
 /// has the class of every sample. Throws InvalidArgument as folds() does.
 std::vector<Fold> folds_among(const std::vector<std::size_t>& chosen,
                               const std::vector<std::size_t>& classes, std::size_t parts,
-                              std::uint64_t seed,
-                              FoldChoice choice = FoldChoice::kInterleaved);
+                              std::uint64_t seed, FoldChoice choice = FoldChoice::kInterleaved);
 
 }  // namespace somato

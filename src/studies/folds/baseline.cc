@@ -51,8 +51,8 @@ std::vector<Fold> folds_of_groups(const Numbers& training, const Numbers& groups
   std::vector<Fold> folds(std::min(distinct.size(), kInnerFolds));
   if (folds.size() < 2) return {};
   for (std::size_t i = 0; i < training.size(); ++i) {
-    const auto place = static_cast<std::size_t>(
-        std::distance(distinct.begin(), distinct.find(group_of[i])));
+    const auto place =
+        static_cast<std::size_t>(std::distance(distinct.begin(), distinct.find(group_of[i])));
     for (std::size_t f = 0; f < folds.size(); ++f) {
       (place % folds.size() == f ? folds[f].test : folds[f].training).push_back(training[i]);
     }

@@ -21,11 +21,10 @@ struct NeighbourKind {
 };
 
 /// The kinds of which the best is chosen; the first one in a tie.
-inline constexpr std::array<NeighbourKind, 4> kNeighbourKinds{
-    {{Similarity::kEuclidean, false},
-     {Similarity::kEuclidean, true},
-     {Similarity::kManhattan, false},
-     {Similarity::kManhattan, true}}};
+inline constexpr std::array<NeighbourKind, 4> kNeighbourKinds{{{Similarity::kEuclidean, false},
+                                                               {Similarity::kEuclidean, true},
+                                                               {Similarity::kManhattan, false},
+                                                               {Similarity::kManhattan, true}}};
 
 /// The neighbours of the test samples by the kind that was chosen for a label.
 struct BestNeighbours {
@@ -62,8 +61,8 @@ struct InnerFolds {
   FoldChoice choice = FoldChoice::kBlocks;
   std::vector<std::size_t> groups = {};  ///< One per exploration: whole groups are tested, if the
                                          ///< training part has two; empty: by `choice`.
-  std::size_t most_tests = 1000;         ///< The number of training samples that are tested, at most;
-                                         ///< of more, they are taken evenly from each class.
+  std::size_t most_tests = 1000;  ///< The number of training samples that are tested, at most;
+                                  ///< of more, they are taken evenly from each class.
 };
 
 /// The inner folds of a protocol: whole groups for leave_group_out, interleaved ones for

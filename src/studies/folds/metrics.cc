@@ -135,11 +135,10 @@ class MetricsMaker {
       }
     }
     const auto number = static_cast<std::size_t>(&label - study_.prepared.labels.data());
-    add_share_right("best_neighbour_accuracy", label.classes,
-                    [&](const Fold&, const FoldOutcome& outcome) {
-                      return values_at(label.classes.of_sample,
-                                       tested(outcome).nearest.best[number].nearest);
-                    });
+    add_share_right(
+        "best_neighbour_accuracy", label.classes, [&](const Fold&, const FoldOutcome& outcome) {
+          return values_at(label.classes.of_sample, tested(outcome).nearest.best[number].nearest);
+        });
   }
 
   void add_altered(std::size_t alteration) {

@@ -22,10 +22,9 @@ std::vector<std::size_t> order_of_objects(std::size_t objects, std::uint64_t see
 /// objects so far are tested after each. The other modules remain as the first object left them.
 /// docs/continual.md describes replay and the other learners that are compared. `nearest` gives the
 /// baseline's neighbours from the vectors of all its samples; without it, there are none.
-Result<FoldOutcome> learn_object_after_object(const StudyDescription& description,
-                                              const PreparedStudy& prepared, const Fold& fold,
-                                              std::uint64_t seed, const Progress& progress,
-                                              const std::function<Neighbours(const TrainedFold&)>&
-                                                  nearest = {});
+Result<FoldOutcome> learn_object_after_object(
+    const StudyDescription& description, const PreparedStudy& prepared, const Fold& fold,
+    std::uint64_t seed, const Progress& progress,
+    const std::function<Neighbours(const TrainedFold&)>& nearest = {});
 
 }  // namespace somato

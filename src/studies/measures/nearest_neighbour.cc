@@ -45,8 +45,10 @@ double sparse_absolute_distance(const SignalView& a, const SignalView& b) {
   std::size_t i = 0;
   std::size_t j = 0;
   while (i < a.indices.size() || j < b.indices.size()) {
-    const bool of_a = j == b.indices.size() || (i < a.indices.size() && a.indices[i] <= b.indices[j]);
-    const bool of_b = i == a.indices.size() || (j < b.indices.size() && b.indices[j] <= a.indices[i]);
+    const bool of_a =
+        j == b.indices.size() || (i < a.indices.size() && a.indices[i] <= b.indices[j]);
+    const bool of_b =
+        i == a.indices.size() || (j < b.indices.size() && b.indices[j] <= a.indices[i]);
     const double left = of_a ? double{a.values[i++]} : 0.0;
     const double right = of_b ? double{b.values[j++]} : 0.0;
     sum += std::fabs(left - right);
@@ -168,8 +170,8 @@ std::vector<std::size_t> nearest_neighbours(const Samples& samples,
                           tests[i])) {
       nearest.push_back(training[found[i].first]);
     } else {
-      nearest.push_back(training[place_of_nearest(samples, distances, training, lengths,
-                                                  samples[tests[i]])]);
+      nearest.push_back(
+          training[place_of_nearest(samples, distances, training, lengths, samples[tests[i]])]);
     }
   }
   return nearest;

@@ -47,8 +47,7 @@ void add(const FoldComparison& found, FoldComparison& all) {
 
 std::optional<double> accuracy_by(const std::string& choice, const FoldComparison& comparison) {
   if (comparison.samples == 0) return {};
-  const std::size_t right =
-      choice == comparison.choice ? comparison.right : comparison.other_right;
+  const std::size_t right = choice == comparison.choice ? comparison.right : comparison.other_right;
   return static_cast<double>(right) / static_cast<double>(comparison.samples);
 }
 

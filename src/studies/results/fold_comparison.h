@@ -12,8 +12,8 @@ namespace somato {
 /// The choice that a study's choice is compared with.
 FoldChoice other_choice(FoldChoice choice);
 
-/// Counts the samples that are named rightly: their true classes are `labels`, those named under the
-/// choice of the study `named`, and under the other choice `other_named`.
+/// Counts the samples that are named rightly: their true classes are `labels`, those named under
+/// the choice of the study `named`, and under the other choice `other_named`.
 void count_right(const std::vector<std::string>& labels, const std::vector<std::string>& named,
                  const std::vector<std::string>& other_named, FoldComparison& comparison);
 

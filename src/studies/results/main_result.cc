@@ -110,8 +110,8 @@ std::optional<double> far_below_baseline(const ProtocolResults& protocol) {
   const Metric* accuracy = protocol.find_metric("accuracy");
   const Metric* baseline = protocol.find_metric("baseline_accuracy");
   if (accuracy == nullptr || baseline == nullptr || !holds_out(protocol)) return {};
-  const double below = std::max(baseline->mean() - accuracy->mean(),
-                                -above_best_neighbour(protocol).value_or(0.0));
+  const double below =
+      std::max(baseline->mean() - accuracy->mean(), -above_best_neighbour(protocol).value_or(0.0));
   return below > kMuch ? std::optional(below) : std::nullopt;
 }
 

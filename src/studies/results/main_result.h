@@ -35,7 +35,8 @@ std::optional<double> above_best_neighbour(const ProtocolResults& protocol);
 std::string best_neighbour_sentence(const ProtocolResults& protocol);
 
 /// By how much the accuracy is below that of the nearest neighbour, the better of baseline_accuracy
-/// and best_neighbour_accuracy, from 0 to 1, if this is more than 0.05 and both are of samples that were held out; otherwise empty.
+/// and best_neighbour_accuracy, from 0 to 1, if this is more than 0.05 and both are of samples that
+/// were held out; otherwise empty.
 std::optional<double> far_below_baseline(const ProtocolResults& protocol);
 
 /// Samples of a class for which another one was predicted.

@@ -27,8 +27,8 @@ std::vector<Fold> folds_of_groups(const std::vector<std::string>& groups) {
   return folds(Protocol::kLeaveGroupOut, samples);
 }
 
-std::vector<Fold> folds_of(const ProtocolResults& protocol, std::size_t parts,
-                           FoldChoice choice, const std::vector<std::string>& groups) {
+std::vector<Fold> folds_of(const ProtocolResults& protocol, std::size_t parts, FoldChoice choice,
+                           const std::vector<std::string>& groups) {
   const Run& first = protocol.runs.front();
   if (first.map || first.labels.size() != protocol.samples) return {};
   if (protocol.protocol == "k_folds") return k_folds(first, parts, choice);
@@ -40,8 +40,7 @@ std::vector<Fold> folds_of(const ProtocolResults& protocol, std::size_t parts,
 }  // namespace
 
 std::vector<std::size_t> tested_folds(const ProtocolResults& protocol, std::size_t parts,
-                                      FoldChoice choice,
-                                      const std::vector<std::string>& groups) {
+                                      FoldChoice choice, const std::vector<std::string>& groups) {
   if (protocol.runs.empty()) return {};
   const std::vector<Fold> all = folds_of(protocol, parts, choice, groups);
   if (all.size() < 2) return {};

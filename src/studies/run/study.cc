@@ -159,7 +159,8 @@ class Trainings {
     runner->run(number, journal, tally);
   }
 
-  // After all trainings; `trained` is on all samples with the first seed, tested without a baseline.
+  // After all trainings; `trained` is on all samples with the first seed, tested without a
+  // baseline.
   std::vector<ProtocolResults> results(const TrainedFold& trained, const FoldOutcome& tested) {
     std::vector<ProtocolResults> all;
     for (std::size_t i = 0; i < protocols_; ++i) {

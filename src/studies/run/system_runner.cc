@@ -159,7 +159,8 @@ ProtocolResults SystemRunner::results() const {
   } else {
     results.metrics = metrics_of(measured, all);
   }
-  if (results.find_metric("best_neighbour_accuracy")) results.chosen_neighbours = chosen_neighbours();
+  if (results.find_metric("best_neighbour_accuracy"))
+    results.chosen_neighbours = chosen_neighbours();
   return results;
 }
 

@@ -152,8 +152,8 @@ TEST(Blocks, FollowEachOtherAndAreAsLargeAsInterleavedParts) {
       std::sort(dealt[number].begin(), dealt[number].end());
       EXPECT_EQ(parts, dealt[number]) << count;
       for (const std::size_t part : parts) {
-        largest = std::max(largest, static_cast<std::size_t>(
-                                        std::count(parts.begin(), parts.end(), part)));
+        largest = std::max(largest,
+                           static_cast<std::size_t>(std::count(parts.begin(), parts.end(), part)));
       }
     }
     EXPECT_EQ(largest_block(blocks), largest);

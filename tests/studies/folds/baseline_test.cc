@@ -37,7 +37,9 @@ struct Problem {
     return {numbers, Samples(std::move(matrix))};
   }
 
-  PreparedStudy prepared() const { return testing::study_of({testing::letter_label("object", letters)}); }
+  PreparedStudy prepared() const {
+    return testing::study_of({testing::letter_label("object", letters)});
+  }
 
   Neighbours neighbours() const {
     return nearest_neighbours(vectors(), prepared(), fold, inner).front();
@@ -126,9 +128,8 @@ TEST(BestNeighbour, IsThatOfASlowSearchInInnerFolds) {
   for (std::size_t seed = 1; seed <= 60; ++seed) {
     Problem problem = random_problem(seed);
     problem.inner.choice = seed % 2 == 0 ? FoldChoice::kBlocks : FoldChoice::kInterleaved;
-    const auto inner = folds_among(problem.fold.training,
-                                   problem.prepared().classes().of_sample, 5, 1,
-                                   problem.inner.choice);
+    const auto inner = folds_among(problem.fold.training, problem.prepared().classes().of_sample, 5,
+                                   1, problem.inner.choice);
     const BestNeighbours expected = slow_best(problem, inner);
     const Neighbours found = problem.neighbours();
     ASSERT_EQ(found.best.size(), 1U);
@@ -215,8 +216,7 @@ TEST(BestNeighbour, IsChosenForEachLabel) {
   std::string noise;  // the second label follows from the second column
   for (const auto& row : problem.rows) noise += row[1] < 0.0 ? 'x' : 'y';
   prepared.labels.push_back(testing::letter_label("noise", noise));
-  const auto best =
-      nearest_neighbours(problem.vectors(), prepared, problem.fold, {}).front().best;
+  const auto best = nearest_neighbours(problem.vectors(), prepared, problem.fold, {}).front().best;
   ASSERT_EQ(best.size(), 2U);
   EXPECT_TRUE(kNeighbourKinds.at(best[0].kind).standardized);
   EXPECT_FALSE(kNeighbourKinds.at(best[1].kind).standardized);

@@ -23,10 +23,12 @@ Recording drifting(std::uint64_t seed) {
         x = 100.0 * random.uniform();
         y = 100.0 * random.uniform();
       }
-      const Matrix<float> frame(1, 2, {static_cast<float>(x + random.uniform()),
-                                       static_cast<float>(y + random.uniform())});
-      recording.explorations.push_back(
-          {{{"object", "object " + std::to_string(object)}}, {}, {{"joints", "deg", {}, frame, {}}}});
+      const Matrix<float> frame(
+          1, 2,
+          {static_cast<float>(x + random.uniform()), static_cast<float>(y + random.uniform())});
+      recording.explorations.push_back({{{"object", "object " + std::to_string(object)}},
+                                        {},
+                                        {{"joints", "deg", {}, frame, {}}}});
     }
   }
   return recording;
@@ -52,7 +54,8 @@ double accuracy_of_first_seed(StudyDescription description, const Recording& rec
   const auto outcome = run_study(description, recording, options);
   const Run run = outcome.value().results.protocols.front().runs.front();
   std::size_t right = 0;
-  for (std::size_t i = 0; i < run.labels.size(); ++i) right += run.labels[i] == run.predictions[i] ? 1 : 0;
+  for (std::size_t i = 0; i < run.labels.size(); ++i)
+    right += run.labels[i] == run.predictions[i] ? 1 : 0;
   return static_cast<double>(right) / static_cast<double>(run.labels.size());
 }
 
