@@ -78,7 +78,8 @@ struct ProtocolResults {
   /// The number of folds that chose each kind of nearest neighbour for `best_neighbour_accuracy`,
   /// such as "manhattan, standardized".
   std::map<std::string, std::size_t> chosen_neighbours = {};
-  std::optional<FoldComparison> fold_comparison = {};  ///< Of protocols whose folds are chosen.
+  std::optional<FoldComparison> fold_comparison =
+      {};  ///< The comparison of fold choices, if there is one.
 
   /// The metric with that name, or nullptr.
   const Metric* find_metric(std::string_view metric) const;

@@ -101,11 +101,11 @@ TEST(StudyOfFolds, DoesNotChangeTheStudy) {
   StudyOptions without;
   without.compare_folds = false;
   PartResults compared = results_of(folds_study(FoldChoice::kBlocks), recording);
-  const PartResults alone =
+  const PartResults uncompared =
       run_study(folds_study(FoldChoice::kBlocks), recording, without).value().results;
-  EXPECT_FALSE(alone.protocols.front().fold_comparison);
+  EXPECT_FALSE(uncompared.protocols.front().fold_comparison);
   compared.protocols.front().fold_comparison.reset();
-  EXPECT_EQ(to_json({{compared}, {}, {}}), to_json({{alone}, {}, {}}));
+  EXPECT_EQ(to_json({{compared}, {}, {}}), to_json({{uncompared}, {}, {}}));
 }
 
 TEST(StudyOfFolds, AreNotComparedWhereBlocksAreSingleExplorations) {
