@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "studies/results/fold_comparison.h"
 #include "studies/results/main_result.h"
 #include "studies/results/metric_table.h"
 #include "terminal/wording.h"
@@ -21,11 +22,39 @@ std::string summary(const Metric& metric) {
 std::string advice(const ProtocolResults& system) {
   const auto below = far_below_baseline(system);
   if (!below) return {};
+  const double above = above_best_neighbour(system).value_or(0.0);
+  if (-above >= *below) {  // as the sentence about the best neighbour states
+    return "  More neurons, more iterations or a standardization may help: "
+           "docs/below-the-baseline.md.\n";
+  }
   return fmt::format(
       "  The map is {:.0f} points below the nearest known sample. More neurons, more iterations or "
       "a\n"
       "  standardization may help: docs/below-the-baseline.md.\n",
       100 * *below);
+}
+
+// A sentence in lines.
+std::string sentence(const std::string& text) {
+  constexpr std::size_t kWidth = 96;
+  std::string lines;
+  std::string line;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!line.empty() && line.size() + word.size() >= kWidth)
+      lines += std::exchange(line, "") + "\n";
+    line += (line.empty() ? "  " : " ") + word;
+    begin = end + 1;
+  }
+  return line.empty() ? lines : lines + line + "\n";
+}
+
+// How far the map is from the best nearest neighbour, and whether neighbours in the recording leak.
+std::string sentences(const ProtocolResults& system) {
+  std::string text = sentence(best_neighbour_sentence(system));
+  if (system.fold_comparison) text += sentence(sentence_of(*system.fold_comparison));
+  return text;
 }
 
 std::string missing_accuracy(const ProtocolResults& system) {
@@ -136,7 +165,7 @@ std::string table_of(const std::string& name, const ProtocolResults& system, Sho
   const std::string main =
       continual ? learners_table(system) : main_metrics(system) + names_table(system);
   return heading + (shown == ShownMetrics::kAll ? all_metrics(system) : main) +
-         missing_accuracy(system) + advice(system);
+         missing_accuracy(system) + sentences(system) + advice(system);
 }
 
 }  // namespace

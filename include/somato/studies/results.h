@@ -52,6 +52,21 @@ struct Run {
   std::optional<TrainedMap> map = {};
 };
 
+/// How many of the same samples the maps of two fold choices name rightly, each trained with the
+/// first seed of a recording; sums over the recordings.
+struct FoldComparison {
+  std::string choice;             ///< The fold choice of the study.
+  std::string other;              ///< The one that it is compared with.
+  std::size_t largest_block = 0;  ///< Explorations of a class that blocks test together, at most.
+  std::size_t samples = 0;        ///< 0 if blocks of one exploration were not compared.
+  std::size_t right = 0;          ///< Samples named rightly under the choice of the study.
+  std::size_t other_right = 0;    ///< The same under the other choice.
+  std::size_t only_right = 0;     ///< Named rightly under the choice of the study only.
+  std::size_t only_other_right = 0;  ///< Named rightly under the other choice only.
+
+  bool operator==(const FoldComparison&) const = default;
+};
+
 /// A system under one protocol.
 struct ProtocolResults {
   std::string protocol;
@@ -60,6 +75,11 @@ struct ProtocolResults {
   std::size_t samples = 0;
   std::vector<Metric> metrics;
   std::vector<Run> runs;
+  /// The number of folds that chose each kind of nearest neighbour for `best_neighbour_accuracy`,
+  /// such as "manhattan, standardized".
+  std::map<std::string, std::size_t> chosen_neighbours = {};
+  std::optional<FoldComparison> fold_comparison =
+      {};  ///< The comparison of fold choices, if there is one.
 
   /// The metric with that name, or nullptr.
   const Metric* find_metric(std::string_view metric) const;

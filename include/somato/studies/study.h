@@ -23,8 +23,10 @@ struct StudyOptions {
   std::string journal =
       {};  ///< A file for completed trainings, so that the study can be resumed after an
            ///< interruption; or empty. The caller removes it after saving the results.
-  std::string parts = {};  ///< A folder with the journals of parts, whose trainings are not
-                           ///< repeated; or empty.
+  std::string parts = {};     ///< A folder with the journals of parts, whose trainings are not
+                              ///< repeated; or empty.
+  bool compare_folds = true;  ///< Whether one more training for each fold of k_folds and
+                              ///< object_after_object compares the fold choices.
 };
 
 /// The part of a study's trainings that one of several processes runs: training `number`, counted

@@ -31,6 +31,18 @@ struct Choices<Protocol> {
   static const std::vector<std::pair<Protocol, std::string>>& all();
 };
 
+/// The choice of the explorations of a class that are tested together by k_folds, and by the
+/// protocols that use its parts.
+enum class FoldChoice {
+  kBlocks,       ///< Consecutive ones, in the order of the recording.
+  kInterleaved,  ///< Drawn at random, so that neighbours are in different parts.
+};
+
+template <>
+struct Choices<FoldChoice> {
+  static const std::vector<std::pair<FoldChoice, std::string>>& all();
+};
+
 /// The explorations of an object that are kept for replay.
 enum class ReplayChoice {
   kRandom,         ///< Drawn at random.
@@ -60,6 +72,7 @@ struct StudyParameters {
   std::vector<Protocol> protocols{Protocol::kTrainIsTest, Protocol::kLeaveOneOut};
   std::vector<std::string> groups;
   std::size_t folds = 10;
+  FoldChoice fold_choice = FoldChoice::kBlocks;
   std::size_t test_last = 0;
   std::size_t replay_per_object = 0;
   ReplayChoice replay_choice = ReplayChoice::kRandom;

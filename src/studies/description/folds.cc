@@ -51,6 +51,18 @@ std::vector<std::size_t> deal(const FoldSamples& samples) {
   return parts;
 }
 
+// The same parts in ascending order for the samples of each class, so that those of a part follow
+// each other in the recording.
+void keep_together(const FoldSamples& samples, std::vector<std::size_t>& parts) {
+  std::map<std::size_t, std::vector<std::size_t>> classes;
+  for (std::size_t i = 0; i < samples.samples; ++i) classes[samples.classes[i]].push_back(i);
+  for (const auto& [number, members] : classes) {
+    std::vector<std::size_t> ascending = values_at(parts, members);
+    std::sort(ascending.begin(), ascending.end());
+    for (std::size_t i = 0; i < members.size(); ++i) parts[members[i]] = ascending[i];
+  }
+}
+
 // 1 for the last samples of each class, 0 for the earlier ones.
 std::vector<std::size_t> last_of_classes(const FoldSamples& samples) {
   std::map<std::size_t, std::size_t> later;  // samples by class
@@ -64,7 +76,10 @@ std::vector<std::size_t> last_of_classes(const FoldSamples& samples) {
 }
 
 std::vector<std::size_t> parts_of(const FoldSamples& samples) {
-  return samples.test_last > 0 ? last_of_classes(samples) : deal(samples);
+  if (samples.test_last > 0) return last_of_classes(samples);
+  std::vector<std::size_t> parts = deal(samples);
+  if (samples.choice == FoldChoice::kBlocks) keep_together(samples, parts);
+  return parts;
 }
 
 // The number of the class in order, modulo the number of parts, is the part that is held out of the
@@ -119,13 +134,24 @@ std::vector<Fold> folds(Protocol protocol, const FoldSamples& samples) {
   return parts;
 }
 
+std::size_t largest_block(const FoldSamples& samples) {
+  const std::vector<std::size_t> parts = parts_of(samples);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> blocks;
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < samples.samples; ++i) {
+    largest = std::max(largest, ++blocks[{samples.classes[i], parts[i]}]);
+  }
+  return largest;
+}
+
 std::vector<Fold> folds_among(const std::vector<std::size_t>& chosen,
                               const std::vector<std::size_t>& classes, std::size_t parts,
-                              std::uint64_t seed) {
+                              std::uint64_t seed, FoldChoice choice) {
   FoldSamples samples{chosen.size()};
   samples.classes = values_at(classes, chosen);
   samples.folds = std::min(parts, chosen.size());
   samples.seed = seed;
+  samples.choice = choice;
   std::vector<Fold> divided = folds(Protocol::kFolds, samples);
   for (Fold& fold : divided)
     fold = {values_at(chosen, fold.training), values_at(chosen, fold.test)};

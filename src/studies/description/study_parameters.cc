@@ -64,6 +64,10 @@ std::vector<KeyReader> key_readers(const StudyParameters& study) {
     readers.push_back(
         {key, "the protocol k_folds, leave_class_out or object_after_object", divides});
   }
+  readers.push_back({"fold_choice",
+                     "the protocol k_folds, leave_class_out or object_after_object and test_last "
+                     "= 0",
+                     divides && study.test_last == 0});
   for (const char* key :
        {"replay_per_object", "replay_choice", "generated_per_object", "generated_spread"}) {
     readers.push_back({key, "the protocol object_after_object", continual});
@@ -145,6 +149,12 @@ const std::vector<std::pair<Protocol, std::string>>& Choices<Protocol>::all() {
   return choices;
 }
 
+const std::vector<std::pair<FoldChoice, std::string>>& Choices<FoldChoice>::all() {
+  static const std::vector<std::pair<FoldChoice, std::string>> choices{
+      {FoldChoice::kBlocks, "blocks"}, {FoldChoice::kInterleaved, "interleaved"}};
+  return choices;
+}
+
 const std::vector<std::pair<ReplayChoice, std::string>>& Choices<ReplayChoice>::all() {
   static const std::vector<std::pair<ReplayChoice, std::string>> choices{
       {ReplayChoice::kRandom, "random"},
@@ -205,6 +215,11 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
           .add("folds", &P::folds, "", Range::between(2, 1e6),
                "Number of parts of k_folds and object_after_object, and of the parts that "
                "leave_class_out holds out of the known classes.")
+          .add("fold_choice", &P::fold_choice, "", Range::any(),
+               "Which explorations of a class are in the same part: consecutive ones of the "
+               "recording, or ones drawn at random. Neighbours in a recording are often alike; if "
+               "one is learned and the other tested, the accuracy is that of known explorations. "
+               "k_folds and object_after_object are compared with the other choice.")
           .add("test_last", &P::test_last, "explorations", Range::between(0, 1e6),
                "Number of explorations of each class, the last of the recording, that are tested "
                "after training on the earlier ones, instead of the parts: by k_folds and "

@@ -7,25 +7,15 @@
 #include <utility>
 
 #include "maps/reading/sample_reader.h"
-#include "somato/codes/standardization.h"
 #include "somato/graph/system_model.h"
 #include "somato/graph/system_training.h"
 #include "somato/maps/som.h"
 #include "studies/folds/senses.h"
-#include "studies/measures/nearest_neighbour.h"
 
 namespace somato {
 namespace {
 
 using Numbers = std::vector<std::size_t>;
-
-// Numbers of samples among those known, as numbers of explorations.
-Numbers neighbours_among(const Samples& samples, const Numbers& training, const Numbers& test,
-                         const Numbers& explorations) {
-  Numbers nearest = nearest_neighbours(samples, training, test);
-  for (std::size_t& one : nearest) one = explorations[one];
-  return nearest;
-}
 
 // Computes the outputs before the map for the explorations of a fold, unless they are the same in
 // every training.
@@ -79,19 +69,6 @@ Numbers strongest_of_all(const ExplorationValues& activities, const Numbers& exp
   return strongest_among(neurons, activities, explorations);
 }
 
-// The neighbours of `test`; `narrow` contains the vectors of all explorations.
-Neighbours neighbours_of(const ExplorationValues& vectors, const Samples& narrow,
-                         const std::optional<Samples>& standardized, const Numbers& training,
-                         const Numbers& test) {
-  const Numbers places = vectors.places_of(test);
-  Neighbours nearest;
-  nearest.raw = neighbours_among(narrow, training, places, vectors.explorations);
-  nearest.standardized =
-      standardized ? neighbours_among(*standardized, training, places, vectors.explorations)
-                   : nearest.raw;
-  return nearest;
-}
-
 // Names test samples by the neurons that training samples won.
 class Naming {
  public:
@@ -131,36 +108,6 @@ Result<TrainedFold> train_fold(const StudyDescription& description, const Prepar
                   .and_then([&] { return recall(prepared, fold, activations, trained); });
   if (!done) return fail(std::move(done.error()));
   return trained;
-}
-
-std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors, const Numbers& learned,
-                                           const std::vector<Numbers>& tests) {
-  const Samples& samples = vectors.samples;
-  const Numbers training = vectors.places_of(learned);
-  // A column that is 0 in all training samples takes a tested one as far from each of them, and is
-  // 0 once standardized.
-  const Samples narrow = StoredElements::used_by(samples.subset(training)).gather(samples);
-  std::optional<Samples> standardized;
-  if (training.size() >= 2) {
-    const auto standardization =
-        Standardization::fit(narrow.subset(training), {ConstantColumns::kZero});
-    if (standardization) standardized = standardization->apply(narrow);
-  }
-  std::vector<Neighbours> nearest;
-  nearest.reserve(tests.size());
-  for (const Numbers& test : tests) {
-    nearest.push_back(neighbours_of(vectors, narrow, standardized, training, test));
-  }
-  return nearest;
-}
-
-std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
-                                           const PreparedStudy& prepared, const Fold& fold) {
-  std::vector<Numbers> tests{fold.test};
-  for (std::size_t i = 0; i < prepared.alterations.size(); ++i) {
-    tests.push_back(prepared.altered(fold.test, i));
-  }
-  return nearest_neighbours(vectors, fold.training, tests);
 }
 
 FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared, const Fold& fold,

@@ -11,26 +11,13 @@
 #include "somato/graph/system.h"
 #include "somato/studies/results.h"
 #include "studies/description/exploration_samples.h"
+#include "studies/folds/baseline.h"
 #include "studies/folds/prepared_study.h"
 #include "studies/measures/forgetting.h"
 #include "studies/measures/novelty_measures.h"
 #include "studies/measures/teaching_measures.h"
 
 namespace somato {
-
-/// The nearest training sample of each test sample, as numbers of explorations, for the baseline.
-struct Neighbours {
-  std::vector<std::size_t> raw;
-  std::vector<std::size_t> standardized;  ///< On vectors standardized on the training part.
-
-  /// Visits each field with its name in the journal.
-  template <typename Self, typename Visit>
-  static void fields(Self& self, const Visit& visit) {
-    visit("raw", self.raw);
-    visit("standardized", self.standardized);
-  }
-  bool operator==(const Neighbours&) const = default;
-};
 
 /// The results of altered test samples.
 struct AlteredOutcome {
@@ -100,16 +87,6 @@ struct TrainedFold {
 /// map for that part and for the tested one.
 Result<TrainedFold> train_fold(const StudyDescription& description, const PreparedStudy& prepared,
                                const Fold& fold, std::uint64_t seed, const Progress& progress);
-
-/// The neighbours among the training samples of each of the lists of test samples, by the vectors
-/// of all of them.
-std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
-                                           const std::vector<std::size_t>& training,
-                                           const std::vector<std::vector<std::size_t>>& tests);
-
-/// The same for a fold: of its test samples, then of those altered by each alteration.
-std::vector<Neighbours> nearest_neighbours(const ExplorationValues& vectors,
-                                           const PreparedStudy& prepared, const Fold& fold);
 
 /// Tests a trained system on a fold. `nearest` are those of nearest_neighbours(), or empty.
 FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared, const Fold& fold,

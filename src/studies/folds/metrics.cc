@@ -37,7 +37,7 @@ class MetricsMaker {
     for (const StudiedLabel& label : study_.prepared.labels) {
       prefix_ = &label == &study_.prepared.labels.front() ? "" : label.name + ".";
       if (can_be_named(label.classes)) {
-        add_accuracies(label.classes, [](const FoldOutcome& o) -> const auto& { return o; });
+        add_accuracies(label, [](const FoldOutcome& o) -> const auto& { return o; });
       }
       if (!recalls) add_areas(label);
     }
@@ -49,6 +49,13 @@ class MetricsMaker {
     }
     if (!recalls) describe_maps();
     add_predictions();
+    return std::move(metrics_);
+  }
+
+  // Only that of the study's label, by the samples as they are.
+  std::vector<Metric> make_best_neighbour() {
+    add_best_neighbour(study_.prepared.labels.front(),
+                       [](const FoldOutcome& o) -> const auto& { return o; });
     return std::move(metrics_);
   }
 
@@ -96,7 +103,8 @@ class MetricsMaker {
 
   // The accuracies of the tested samples as they are, or as altered: FoldOutcome or AlteredOutcome.
   template <typename Tested>
-  void add_accuracies(const Classes& classes, const Tested& tested) {
+  void add_accuracies(const StudiedLabel& label, const Tested& tested) {
+    const Classes& classes = label.classes;
     add_share_right("accuracy", classes, [&](const Fold& fold, const FoldOutcome& outcome) {
       return predictions(classes, fold, outcome, tested(outcome).named_by);
     });
@@ -115,6 +123,22 @@ class MetricsMaker {
     Metric better = raw.mean() >= standardized.mean() ? raw : standardized;
     better.name = prefix_ + "baseline_accuracy";
     metrics_.insert(metrics_.begin() + static_cast<std::ptrdiff_t>(best), std::move(better));
+    add_best_neighbour(label, tested);
+  }
+
+  // Only where it was chosen in every fold.
+  template <typename Tested>
+  void add_best_neighbour(const StudiedLabel& label, const Tested& tested) {
+    for (const SeedOutcome& seed : seeds_) {
+      for (const FoldOutcome* fold : seed.folds) {
+        if (tested(*fold).nearest.best.empty()) return;
+      }
+    }
+    const auto number = static_cast<std::size_t>(&label - study_.prepared.labels.data());
+    add_share_right(
+        "best_neighbour_accuracy", label.classes, [&](const Fold&, const FoldOutcome& outcome) {
+          return values_at(label.classes.of_sample, tested(outcome).nearest.best[number].nearest);
+        });
   }
 
   void add_altered(std::size_t alteration) {
@@ -122,7 +146,7 @@ class MetricsMaker {
       if (!can_be_named(label.classes)) continue;
       prefix_ = "altered." + study_.prepared.alterations[alteration] + ".";
       if (&label != &study_.prepared.labels.front()) prefix_ += label.name + ".";
-      add_accuracies(label.classes,
+      add_accuracies(label,
                      [&](const FoldOutcome& o) -> const auto& { return o.altered[alteration]; });
     }
   }
@@ -340,6 +364,14 @@ std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
 
 std::vector<Metric> metrics_of(const MeasuredStudy& study, const std::vector<SeedOutcome>& seeds) {
   return MetricsMaker(study, seeds).make();
+}
+
+void add_best_neighbour(const MeasuredStudy& study, const std::vector<SeedOutcome>& seeds,
+                        std::vector<Metric>& metrics) {
+  auto place = std::ranges::find(metrics, "baseline_accuracy", &Metric::name);
+  if (place != metrics.end()) ++place;
+  auto best = MetricsMaker(study, seeds).make_best_neighbour();
+  metrics.insert(place, std::make_move_iterator(best.begin()), std::make_move_iterator(best.end()));
 }
 
 }  // namespace somato

@@ -39,4 +39,9 @@ std::vector<std::size_t> predictions(const Classes& classes, const Fold& fold,
 /// defined under this protocol are omitted.
 std::vector<Metric> metrics_of(const MeasuredStudy& study, const std::vector<SeedOutcome>& seeds);
 
+/// Adds `best_neighbour_accuracy` for the label of the study, if it was measured, after
+/// `baseline_accuracy`.
+void add_best_neighbour(const MeasuredStudy& study, const std::vector<SeedOutcome>& seeds,
+                        std::vector<Metric>& metrics);
+
 }  // namespace somato

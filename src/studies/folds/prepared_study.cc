@@ -241,6 +241,7 @@ Result<void> divide(const StudyParameters& study, std::size_t learned, PreparedS
   prepared.samples.folds = study.folds;
   prepared.samples.seed = study.first_seed;
   prepared.samples.test_last = study.test_last;
+  prepared.samples.choice = study.fold_choice;
   prepared.samples.classes = prepared.classes().of_sample;
   prepared.samples.classes.resize(learned);
   for (const std::string& label : study.groups) {

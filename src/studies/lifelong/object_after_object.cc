@@ -294,9 +294,10 @@ std::vector<std::size_t> order_of_objects(std::size_t objects, std::uint64_t see
   return random_order(objects, random);
 }
 
-Result<FoldOutcome> learn_object_after_object(const StudyDescription& description,
-                                              const PreparedStudy& prepared, const Fold& fold,
-                                              std::uint64_t seed, const Progress& progress) {
+Result<FoldOutcome> learn_object_after_object(
+    const StudyDescription& description, const PreparedStudy& prepared, const Fold& fold,
+    std::uint64_t seed, const Progress& progress,
+    const std::function<Neighbours(const TrainedFold&)>& nearest) {
   const Classes& classes = prepared.classes();
   const std::set<std::size_t> objects(prepared.samples.classes.begin(),
                                       prepared.samples.classes.end());
@@ -323,6 +324,7 @@ Result<FoldOutcome> learn_object_after_object(const StudyDescription& descriptio
   FoldOutcome outcome;
   outcome.objects = sequence.outcome();
   describe_map(maps.front(), prepared, fold, trained.inputs, outcome);
+  if (nearest) outcome.nearest = nearest(trained);
   return outcome;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "somato/core/samples.h"
+#include "somato/maps/som_parameters.h"
 
 namespace somato {
 
@@ -17,9 +18,11 @@ double squared_distance(const SignalView& a, const SignalView& b);
 std::size_t nearest_neighbour(const Samples& samples, const std::vector<std::size_t>& training,
                               std::size_t test);
 
-/// The same for each of `tests`.
+/// The same for each of `tests`, in Euclidean or Manhattan distance. Throws InvalidArgument for
+/// other distances as well.
 std::vector<std::size_t> nearest_neighbours(const Samples& samples,
                                             const std::vector<std::size_t>& training,
-                                            const std::vector<std::size_t>& tests);
+                                            const std::vector<std::size_t>& tests,
+                                            Similarity distance = Similarity::kEuclidean);
 
 }  // namespace somato

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "studies/results/results_json.h"
 #include "studies/run/checked_line.h"
 
 namespace somato {
@@ -11,18 +12,23 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kPartVersion = 3;
+constexpr int kPartVersion = 4;
 
 SortedJson protocol_json(const ProtocolResults& protocol) {
   SortedJson metrics = SortedJson::array();
   for (const Metric& metric : protocol.metrics) {
     metrics.push_back({metric.name, metric.values, metric.of_each});
   }
-  return {{"protocol", protocol.protocol},
-          {"group", protocol.group},
-          {"label", protocol.label},
-          {"samples", protocol.samples},
-          {"metrics", metrics}};
+  SortedJson json = {{"protocol", protocol.protocol},
+                     {"group", protocol.group},
+                     {"label", protocol.label},
+                     {"samples", protocol.samples},
+                     {"metrics", metrics},
+                     {"chosen_neighbours", protocol.chosen_neighbours}};
+  if (protocol.fold_comparison) {
+    json["fold_comparison"] = detail::fold_comparison_json(*protocol.fold_comparison);
+  }
+  return json;
 }
 
 // JSON has no NaN and writes null.
@@ -35,12 +41,27 @@ std::vector<double> kept_values(const SortedJson& list) {
   return values;
 }
 
+FoldComparison comparison_of(const SortedJson& kept) {
+  FoldComparison comparison{kept.at("choice"), kept.at("other")};
+  kept.at("largest_block").get_to(comparison.largest_block);
+  kept.at("samples").get_to(comparison.samples);
+  kept.at("right").get_to(comparison.right);
+  kept.at("other_right").get_to(comparison.other_right);
+  kept.at("only_right").get_to(comparison.only_right);
+  kept.at("only_other_right").get_to(comparison.only_other_right);
+  return comparison;
+}
+
 ProtocolResults protocol_of(const SortedJson& kept) {
   ProtocolResults protocol;
   kept.at("protocol").get_to(protocol.protocol);
   kept.at("group").get_to(protocol.group);
   kept.at("label").get_to(protocol.label);
   kept.at("samples").get_to(protocol.samples);
+  kept.at("chosen_neighbours").get_to(protocol.chosen_neighbours);
+  if (kept.contains("fold_comparison")) {
+    protocol.fold_comparison = comparison_of(kept.at("fold_comparison"));
+  }
   for (const SortedJson& metric : kept.at("metrics")) {
     protocol.metrics.push_back({metric.at(0), kept_values(metric.at(1)), metric.at(2)});
   }

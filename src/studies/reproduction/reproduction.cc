@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "somato/core/check.h"
+#include "studies/results/fold_comparison.h"
 
 namespace somato {
 namespace {
@@ -30,6 +31,10 @@ void append(const ProtocolResults& found, ProtocolResults& all) {
     append(found.metrics[i].of_each, all.metrics[i].of_each);
   }
   append(found.runs, all.runs);
+  for (const auto& [kind, folds] : found.chosen_neighbours) all.chosen_neighbours[kind] += folds;
+  if (all.fold_comparison && found.fold_comparison) {
+    add(*found.fold_comparison, *all.fold_comparison);
+  }
 }
 
 // The part under the claim's protocol.

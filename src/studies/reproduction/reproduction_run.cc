@@ -56,8 +56,12 @@ Result<std::optional<Error>> PartRunner::for_each_study(const ReproductionPart& 
     description.study.seeds = pairs_of(i, *count, pairs_for(part));
     SOMATO_TRY(const auto recording, recordings_.get(part, i));
     const PairedRecording* const test = test_of(*recording);
-    const StudyOptions options{options_.threads, events.progress(i, *count),
-                               test ? &test->recording : nullptr, events.journal(i), events.parts};
+    const StudyOptions options{options_.threads,
+                               events.progress(i, *count),
+                               test ? &test->recording : nullptr,
+                               events.journal(i),
+                               events.parts,
+                               options_.compare_folds};
     auto ran = run(description, *recording, options);
     if (!ran && is_misfit(ran.error())) return std::move(ran.error());
     if (!ran) return fail(std::move(ran.error()));

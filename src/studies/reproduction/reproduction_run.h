@@ -54,6 +54,7 @@ struct PairOptions {
   std::uint64_t seed = 2011;  ///< The first one.
   std::size_t threads = 1;
   std::shared_ptr<const PairedRecording> test_data = {};  ///< For all of them, or none.
+  bool compare_folds = true;                              ///< See StudyOptions.
 };
 
 /// Callbacks while a part is run.

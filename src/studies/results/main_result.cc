@@ -1,6 +1,9 @@
 #include "studies/results/main_result.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -23,6 +26,22 @@ std::optional<MainResult> result_of(const PartResults& part, std::size_t number)
     result.baseline = baseline->mean();
   }
   return result;
+}
+
+// The kinds of neighbours in the order of how often they were chosen.
+std::string in_brackets(const std::map<std::string, std::size_t>& chosen) {
+  std::vector<std::pair<std::string, std::size_t>> kinds(chosen.begin(), chosen.end());
+  std::sort(kinds.begin(), kinds.end(), [](const auto& one, const auto& other) {
+    return std::tie(other.second, one.first) < std::tie(one.second, other.first);
+  });
+  std::size_t all = 0;
+  for (const auto& [kind, folds] : kinds) all += folds;
+  std::string text;
+  for (const auto& [kind, folds] : kinds) {
+    text += text.empty() ? " (" : "; ";
+    text += kinds.size() == 1 ? kind : fmt::format("{} in {} of {} folds", kind, folds, all);
+  }
+  return text.empty() ? text : text + ")";
 }
 
 // The expected share of right classes: of each class the share of its samples times that of its
@@ -64,12 +83,35 @@ std::optional<double> accuracy_by_chance(const ProtocolResults& protocol) {
   return sum / static_cast<double>(runs);
 }
 
+std::optional<double> above_best_neighbour(const ProtocolResults& protocol) {
+  const Metric* accuracy = protocol.find_metric("accuracy");
+  const Metric* best = protocol.find_metric("best_neighbour_accuracy");
+  if (accuracy == nullptr || best == nullptr || !holds_out(protocol)) return {};
+  return accuracy->mean() - best->mean();
+}
+
+std::string best_neighbour_sentence(const ProtocolResults& protocol) {
+  const auto above = above_best_neighbour(protocol);
+  if (!above) return {};
+  const double points = std::round(1000.0 * std::fabs(*above)) / 10.0;
+  const std::string accuracy =
+      fmt::format("{:.3f}", protocol.find_metric("best_neighbour_accuracy")->mean());
+  if (points == 0.0) {
+    return fmt::format("The map is as accurate as the best nearest neighbour, {}{}.", accuracy,
+                       in_brackets(protocol.chosen_neighbours));
+  }
+  return fmt::format("The map is {:.1f} points {} the best nearest neighbour, {}{}.", points,
+                     *above < 0.0 ? "below" : "above", accuracy,
+                     in_brackets(protocol.chosen_neighbours));
+}
+
 std::optional<double> far_below_baseline(const ProtocolResults& protocol) {
   constexpr double kMuch = 0.05;
   const Metric* accuracy = protocol.find_metric("accuracy");
   const Metric* baseline = protocol.find_metric("baseline_accuracy");
   if (accuracy == nullptr || baseline == nullptr || !holds_out(protocol)) return {};
-  const double below = baseline->mean() - accuracy->mean();
+  const double below =
+      std::max(baseline->mean() - accuracy->mean(), -above_best_neighbour(protocol).value_or(0.0));
   return below > kMuch ? std::optional(below) : std::nullopt;
 }
 

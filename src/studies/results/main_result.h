@@ -26,8 +26,17 @@ std::optional<MainResult> main_result(const PartResults& part);
 /// runs. Empty without predictions.
 std::optional<double> accuracy_by_chance(const ProtocolResults& protocol);
 
-/// By how much the accuracy is below that of the nearest neighbour, from 0 to 1, if this is more
-/// than 0.05 and both are of samples that were held out; otherwise empty.
+/// The accuracy minus best_neighbour_accuracy, below 0 if the map is less accurate. Empty if one of
+/// them was not measured, and for samples that were not held out, each of which is its own nearest
+/// neighbour.
+std::optional<double> above_best_neighbour(const ProtocolResults& protocol);
+
+/// The same in a sentence, with the kinds of neighbours that were chosen, for the text of results.
+std::string best_neighbour_sentence(const ProtocolResults& protocol);
+
+/// By how much the accuracy is below that of the nearest neighbour, the better of baseline_accuracy
+/// and best_neighbour_accuracy, from 0 to 1, if this is more than 0.05 and both are of samples that
+/// were held out; otherwise empty.
 std::optional<double> far_below_baseline(const ProtocolResults& protocol);
 
 /// Samples of a class for which another one was predicted.

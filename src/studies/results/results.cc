@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "studies/results/fold_comparison.h"
 #include "studies/results/results_json.h"
 #include "studies/results/short_number.h"
 #include "systems/graph/graph_json.h"
@@ -128,7 +129,26 @@ Json detail::protocol_json(const ProtocolResults& protocol) {
                {"samples", protocol.samples},
                {"metrics", metrics_json(protocol.metrics)},
                {"runs", runs_json(protocol.runs)}});
+  if (!protocol.chosen_neighbours.empty()) json["chosen_neighbours"] = protocol.chosen_neighbours;
+  if (protocol.fold_comparison) {
+    json["fold_comparison"] = fold_comparison_json(*protocol.fold_comparison);
+  }
   return json;
+}
+
+Json detail::fold_comparison_json(const FoldComparison& comparison) {
+  return {{"choice", comparison.choice},
+          {"other", comparison.other},
+          {"largest_block", comparison.largest_block},
+          {"samples", comparison.samples},
+          {"accuracy", optional_json(accuracy_by(comparison.choice, comparison))},
+          {"other_accuracy", optional_json(accuracy_by(comparison.other, comparison))},
+          {"right", comparison.right},
+          {"other_right", comparison.other_right},
+          {"only_right", comparison.only_right},
+          {"only_other_right", comparison.only_other_right},
+          {"neighbours_leak", neighbours_leak(comparison)},
+          {"sentence", sentence_of(comparison)}};
 }
 
 Json detail::parameters_json(const std::vector<Settings>& parts) {

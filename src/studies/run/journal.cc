@@ -23,7 +23,7 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kJournalVersion = 7;
+constexpr int kJournalVersion = 8;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "recordings/explorations/content_hash.h"
 #include "studies/folds/prepared_study.h"
 #include "studies/lifelong/novelty_run.h"
+#include "studies/results/fold_comparison.h"
 #include "studies/results/settings.h"
 #include "studies/run/journal.h"
 #include "studies/run/system_runner.h"
@@ -102,15 +104,32 @@ std::vector<ProtocolPart> parts_of(const StudyDescription& description,
   return parts;
 }
 
-// The trainings of all protocols, numbered one protocol after the other.
+// Whether its folds are chosen, and tested samples can be named.
+bool chooses_folds(Protocol protocol, const StudyParameters& study) {
+  return study.test_last == 0 &&
+         (protocol == Protocol::kFolds || protocol == Protocol::kObjectAfterObject);
+}
+
+// The trainings of all protocols, numbered one protocol after the other, then those that compare
+// the fold choices.
 class Trainings {
  public:
   // Both must outlive it.
   Trainings(const StudyDescription& description, const PreparedStudy& prepared,
-            const std::vector<ProtocolPart>& parts) {
-    for (const ProtocolPart& part : parts) {
-      runners_.emplace_back(description, prepared, part, runners_.size());
-      count_ += runners_.back().trainings();
+            const std::vector<ProtocolPart>& parts, bool compare_folds)
+      : choice_(prepared.samples.choice) {
+    for (const ProtocolPart& part : parts) add(description, prepared, part, {});
+    protocols_ = runners_.size();
+    if (!compare_folds) return;
+    FoldSamples blocks = prepared.samples;
+    blocks.choice = FoldChoice::kBlocks;
+    for (std::size_t i = 0; i < protocols_; ++i) {
+      if (!chooses_folds(parts[i].protocol, description.study)) continue;
+      comparisons_[i] = {};
+      largest_block_ = largest_block(blocks);
+      if (largest_block_ < 2) continue;
+      comparisons_[i] = runners_.size();
+      add(description, prepared, parts[i], OtherFolds{other_choice(choice_)});
     }
   }
 
@@ -140,10 +159,42 @@ class Trainings {
     runner->run(number, journal, tally);
   }
 
-  std::deque<SystemRunner>& runners() { return runners_; }
+  // After all trainings; `trained` is on all samples with the first seed, tested without a
+  // baseline.
+  std::vector<ProtocolResults> results(const TrainedFold& trained, const FoldOutcome& tested) {
+    std::vector<ProtocolResults> all;
+    for (std::size_t i = 0; i < protocols_; ++i) {
+      runners_[i].take(trained, tested);
+      all.push_back(runners_[i].results());
+      const auto found = comparisons_.find(i);
+      if (found != comparisons_.end()) all.back().fold_comparison = comparison(i, found->second);
+    }
+    return all;
+  }
 
  private:
+  void add(const StudyDescription& description, const PreparedStudy& prepared,
+           const ProtocolPart& part, const std::optional<OtherFolds>& other) {
+    runners_.emplace_back(description, prepared, part, runners_.size(), other);
+    count_ += runners_.back().trainings();
+  }
+
+  FoldComparison comparison(std::size_t own, std::optional<std::size_t> other) const {
+    FoldComparison comparison{choice_name(choice_), choice_name(other_choice(choice_)),
+                              largest_block_};
+    if (!other) return comparison;
+    const auto mine = runners_[own].first_named();
+    count_right(mine.labels, mine.named, runners_[*other].first_named().named, comparison);
+    return comparison;
+  }
+
+  FoldChoice choice_;
   std::deque<SystemRunner> runners_;
+  std::size_t protocols_ = 0;  // the first runners
+  // The runner by the other choice for each protocol that chooses folds; none if every block is a
+  // single exploration.
+  std::map<std::size_t, std::optional<std::size_t>> comparisons_;
+  std::size_t largest_block_ = 0;
   std::size_t count_ = 0;
 };
 
@@ -169,7 +220,7 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
   if (!journal) return fail(std::move(journal.error()));
   if (!options.parts.empty()) journal->look(options.parts, study);
 
-  Trainings trainings(description, prepared, parts);
+  Trainings trainings(description, prepared, parts, options.compare_folds);
   Tally tally("the study", options.progress, trainings.count() - trainings.known(*journal) + 1);
   for_each_task(trainings.count(), options.threads,
                 [&](std::size_t number) { trainings.run(number, *journal, tally); });
@@ -186,10 +237,7 @@ Result<StudyOutcome> run_study(const StudyDescription& description, const Record
     return fail(tally.error());
   }
   FoldOutcome tested = test_fold(*trained, prepared, all, {});
-  for (SystemRunner& runner : trainings.runners()) {
-    runner.take(*trained, tested);
-    results.protocols.push_back(runner.results());
-  }
+  results.protocols = trainings.results(*trained, tested);
   tally.one_done();
   return outcome_of(description, prepared, std::move(*trained), std::move(tested.training_winners),
                     std::move(*novelty), std::move(results));
@@ -207,7 +255,7 @@ Result<StudyProgress> run_part_of_study(const StudyDescription& description,
   SOMATO_TRY(auto journal, Journal::open_part(folder / part.folder_name(), study));
   journal.look(folder, study);
 
-  Trainings trainings(description, prepared, parts);
+  Trainings trainings(description, prepared, parts, options.compare_folds);
   const std::vector<std::size_t> missing = trainings.missing(journal, part);
   Tally tally("the study", options.progress, missing.size());
   for_each_task(missing.size(), options.threads,

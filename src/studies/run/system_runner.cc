@@ -32,18 +32,27 @@ std::vector<std::vector<const ObjectsOutcome*>> objects_of(const std::vector<See
   return all;
 }
 
+FoldSamples division_of(const PreparedStudy& prepared, const ProtocolPart& part,
+                        const std::optional<OtherFolds>& other) {
+  FoldSamples samples = prepared.divided_by(part.group);
+  if (other) samples.choice = other->choice;
+  return samples;
+}
+
 }  // namespace
 
 SystemRunner::SystemRunner(const StudyDescription& description, const PreparedStudy& prepared,
-                           ProtocolPart part, std::size_t number)
+                           ProtocolPart part, std::size_t number, std::optional<OtherFolds> other)
     : description_(description),
       prepared_(prepared),
       part_(std::move(part)),
       number_(number),
       taken_(part_.protocol == Protocol::kTrainIsTest ? 1 : 0),
-      folds_(folds(part_.protocol, prepared.divided_by(part_.group))),
+      has_baseline_(!other),
+      folds_(folds(part_.protocol, division_of(prepared, part_, other))),
+      inner_(inner_folds_for(part_.protocol, prepared.divided_by(part_.group), folds_.size())),
       tested_(all_tested(folds_)),
-      outcomes_(description.study.seeds * folds_.size()),
+      outcomes_((other ? 1 : description.study.seeds) * folds_.size()),
       neighbours_(folds_.size()),
       are_known_(folds_.size()) {}
 
@@ -84,7 +93,12 @@ void SystemRunner::take(const TrainedFold& trained, const FoldOutcome& tested) {
 Result<FoldOutcome> SystemRunner::outcome_of(std::size_t fold, std::uint64_t seed, Tally& tally) {
   const Progress progress = [&](std::uint64_t, std::uint64_t) { return tally.should_continue(); };
   if (part_.protocol == Protocol::kObjectAfterObject) {
-    return learn_object_after_object(description_, prepared_, folds_[fold], seed, progress);
+    const auto nearest = [&](const TrainedFold& trained) {
+      auto found = neighbours(trained, fold);
+      return found.empty() ? Neighbours() : std::move(found.front());
+    };
+    return learn_object_after_object(description_, prepared_, folds_[fold], seed, progress,
+                                     nearest);
   }
   SOMATO_TRY(auto trained, train_fold(description_, prepared_, folds_[fold], seed, progress));
   FoldOutcome outcome = test_fold(trained, prepared_, folds_[fold], neighbours(trained, fold));
@@ -102,12 +116,25 @@ Result<FoldOutcome> SystemRunner::outcome_of(std::size_t fold, std::uint64_t see
 
 // Computed once a fold where nothing that comes before the map learns: every seed has the same.
 std::vector<Neighbours> SystemRunner::neighbours(const TrainedFold& trained, std::size_t fold) {
+  if (!has_baseline_) return {};
   const auto& vectors = prepared_.fixed_vectors;
-  if (!vectors) return nearest_neighbours(trained.vectors, prepared_, folds_[fold]);
-  std::call_once(are_known_[fold], [&] {
-    neighbours_[fold] = nearest_neighbours(*vectors, prepared_, folds_[fold]);
-  });
+  if (!vectors) return find_neighbours(trained.vectors, fold);
+  std::call_once(are_known_[fold], [&] { neighbours_[fold] = find_neighbours(*vectors, fold); });
   return neighbours_[fold];
+}
+
+std::vector<Neighbours> SystemRunner::find_neighbours(const ExplorationValues& vectors,
+                                                      std::size_t fold) const {
+  return nearest_neighbours(vectors, prepared_, folds_[fold], inner_);
+}
+
+std::map<std::string, std::size_t> SystemRunner::chosen_neighbours() const {
+  std::map<std::string, std::size_t> chosen;
+  for (const auto& outcome : outcomes_) {
+    const auto& best = outcome->nearest.best;
+    if (!best.empty()) ++chosen[kNeighbourKinds.at(best.front().kind).name()];
+  }
+  return chosen;
 }
 
 void SystemRunner::add_distances(const TrainedFold& trained, FoldOutcome& outcome) const {
@@ -125,14 +152,25 @@ ProtocolResults SystemRunner::results() const {
   results.samples = tested_.size();
   const std::vector<SeedOutcome> all = seeds();
   for (const SeedOutcome& seed : all) results.runs.push_back(run_of(seed));
-  results.metrics = part_.protocol == Protocol::kObjectAfterObject
-                        ? continual_metrics(objects_of(all))
-                        : metrics_of({description_.study, prepared_, part_.protocol, folds_}, all);
+  const MeasuredStudy measured{description_.study, prepared_, part_.protocol, folds_};
+  if (part_.protocol == Protocol::kObjectAfterObject) {
+    results.metrics = continual_metrics(objects_of(all));
+    add_best_neighbour(measured, all, results.metrics);
+  } else {
+    results.metrics = metrics_of(measured, all);
+  }
+  if (results.find_metric("best_neighbour_accuracy"))
+    results.chosen_neighbours = chosen_neighbours();
   return results;
 }
 
+SystemRunner::NamedSamples SystemRunner::first_named() const {
+  const Run run = run_of(seeds().front());
+  return {run.labels, run.predictions};
+}
+
 std::vector<SeedOutcome> SystemRunner::seeds() const {
-  std::vector<SeedOutcome> seeds(description_.study.seeds);
+  std::vector<SeedOutcome> seeds(outcomes_.size() / folds_.size());
   for (std::size_t s = 0; s < seeds.size(); ++s) {
     seeds[s].seed = seed(s);
     for (std::size_t f = 0; f < folds_.size(); ++f) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -26,13 +27,18 @@ struct ProtocolPart {
   std::string group;
 };
 
+/// The same folds by another choice, with the first seed only and without a baseline.
+struct OtherFolds {
+  FoldChoice choice = FoldChoice::kBlocks;
+};
+
 /// One protocol: all seeds and folds, and the metrics made of them. The description and the
 /// question must outlive it.
 class SystemRunner {
  public:
   /// `number` is the place of the protocol among those of the study.
   SystemRunner(const StudyDescription& description, const PreparedStudy& prepared,
-               ProtocolPart part, std::size_t number);
+               ProtocolPart part, std::size_t number, std::optional<OtherFolds> other = {});
 
   /// The number of trainings.
   std::size_t trainings() const { return outcomes_.size() - taken_; }
@@ -55,10 +61,19 @@ class SystemRunner {
   /// After all trainings.
   ProtocolResults results() const;
 
+  /// The classes of the tested samples, and those named with the first seed.
+  struct NamedSamples {
+    std::vector<std::string> labels;
+    std::vector<std::string> named;
+  };
+  NamedSamples first_named() const;
+
  private:
   Result<FoldOutcome> outcome_of(std::size_t fold, std::uint64_t seed, Tally& tally);
   std::uint64_t seed(std::size_t index) const { return description_.study.first_seed + index; }
   std::vector<Neighbours> neighbours(const TrainedFold& trained, std::size_t fold);
+  std::vector<Neighbours> find_neighbours(const ExplorationValues& vectors, std::size_t fold) const;
+  std::map<std::string, std::size_t> chosen_neighbours() const;
   /// Adds the distances of the map's weights, where one map is tested with all samples.
   void add_distances(const TrainedFold& trained, FoldOutcome& outcome) const;
   std::vector<SeedOutcome> seeds() const;
@@ -71,7 +86,9 @@ class SystemRunner {
   ProtocolPart part_;
   std::size_t number_;
   std::size_t taken_;  ///< Trainings that are not run here.
+  bool has_baseline_;
   std::vector<Fold> folds_;
+  InnerFolds inner_;
   std::vector<std::size_t> tested_;                     ///< All tested samples, ascending.
   std::vector<std::unique_ptr<FoldOutcome>> outcomes_;  // those that are known
   std::vector<std::vector<Neighbours>>

@@ -33,6 +33,8 @@ Json protocols_json(const detail::Evidence& evidence) {
   for (const ProtocolResults& protocol : part.protocols) {
     Json one = detail::protocol_json(protocol);
     for (Json& metric : one["metrics"]) metric.erase("of_each");
+    one.erase("chosen_neighbours");  // the sentences of the summary state both
+    one.erase("fold_comparison");
     if (auto folds = detail::folds_of(evidence, protocol); !folds.empty()) one["folds"] = folds;
     for (std::size_t i = 0; i < protocol.runs.size(); ++i) {
       Json& run = one["runs"][i];

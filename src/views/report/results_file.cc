@@ -153,6 +153,17 @@ Run run_of(const CheckedJson& json, std::size_t samples) {
   return run;
 }
 
+FoldComparison comparison_of(const CheckedJson& json) {
+  FoldComparison comparison{json.at("choice").text(), json.at("other").text()};
+  comparison.largest_block = json.at("largest_block").whole(kAny);
+  comparison.samples = json.at("samples").whole(kAny);
+  comparison.right = json.at("right").whole(kAny);
+  comparison.other_right = json.at("other_right").whole(kAny);
+  comparison.only_right = json.at("only_right").whole(kAny);
+  comparison.only_other_right = json.at("only_other_right").whole(kAny);
+  return comparison;
+}
+
 ProtocolResults protocol_of(const CheckedJson& json) {
   ProtocolResults results{json.at("protocol").text(),
                           optional_text(json, "group"),
@@ -165,6 +176,14 @@ ProtocolResults protocol_of(const CheckedJson& json) {
   json.at("metrics").entries([&](const std::string& name, const CheckedJson& metric) {
     results.metrics.push_back(metric_of(name, metric, results.runs.size()));
   });
+  if (json.has("chosen_neighbours")) {
+    json.at("chosen_neighbours").entries([&](const std::string& kind, const CheckedJson& folds) {
+      results.chosen_neighbours[kind] = folds.whole(kAny);
+    });
+  }
+  if (json.has("fold_comparison")) {
+    results.fold_comparison = comparison_of(json.at("fold_comparison"));
+  }
   return results;
 }
 

@@ -1,5 +1,6 @@
 #include "views/report/summary_json.h"
 
+#include "studies/results/fold_comparison.h"
 #include "studies/results/main_result.h"
 #include "studies/results/next_steps.h"
 #include "studies/results/tested_folds.h"
@@ -44,17 +45,41 @@ std::vector<std::string> groups_of(const Evidence& evidence, const std::string& 
   return groups;
 }
 
+// Results of versions without a choice have interleaved folds.
+FoldChoice fold_choice_of(const Evidence& evidence) {
+  for (const Settings& part : evidence.part->parameters) {
+    if (part.part != "study") continue;
+    for (const Setting& one : part.settings) {
+      if (one.name == "fold_choice") return evidence.study->study.fold_choice;
+    }
+  }
+  return FoldChoice::kInterleaved;
+}
+
+// How far the main result is from the best nearest neighbour, and whether neighbours leak under any
+// protocol.
+Json sentences_json(const PartResults& part, const ProtocolResults& main) {
+  Json sentences = Json::array();
+  if (std::string best = best_neighbour_sentence(main); !best.empty()) sentences.push_back(best);
+  for (const ProtocolResults& protocol : part.protocols) {
+    if (protocol.fold_comparison) sentences.push_back(sentence_of(*protocol.fold_comparison));
+  }
+  return sentences;
+}
+
 }  // namespace
 
 Json summary_json(const Evidence& evidence, const ReportSources& sources) {
   const auto result = main_result(*evidence.part);
   if (!result) return nullptr;
+  const ProtocolResults& protocol = evidence.part->protocols[result->protocol];
   return {{"protocol", result->protocol},
           {"accuracy", result->accuracy},
           {"deviation", result->deviation},
           {"baseline", result->baseline ? Json(*result->baseline) : Json(nullptr)},
           {"chance", result->chance},
-          {"confusions", confusions_json(evidence.part->protocols[result->protocol])},
+          {"confusions", confusions_json(protocol)},
+          {"sentences", sentences_json(*evidence.part, protocol)},
           {"next", next_json(evidence, sources)}};
 }
 
@@ -63,7 +88,8 @@ std::vector<std::size_t> folds_of(const Evidence& evidence, const ProtocolResult
   // the same in all recordings of a reproduction.
   const bool has_one = evidence.part->recordings.size() == 1;
   if (!evidence.study || (protocol.protocol == "k_folds" && !has_one)) return {};
-  return tested_folds(protocol, evidence.study->study.folds, groups_of(evidence, protocol.group));
+  return tested_folds(protocol, evidence.study->study.folds, fold_choice_of(evidence),
+                      groups_of(evidence, protocol.group));
 }
 
 }  // namespace somato::detail

@@ -114,6 +114,73 @@ TEST(Protocol, EverySampleIsTestedOnceAndItsFoldLearnsAllTheOthers) {
   }
 }
 
+// The parts of each class in the order of the recording.
+std::map<std::size_t, Numbers> parts_of_classes(const FoldSamples& samples) {
+  const Folds parts = folds(Protocol::kFolds, samples);
+  Numbers part_of(samples.samples);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    for (const std::size_t sample : parts[part].test) part_of[sample] = part;
+  }
+  std::map<std::size_t, Numbers> classes;
+  for (std::size_t i = 0; i < samples.samples; ++i) {
+    classes[samples.classes[i]].push_back(part_of[i]);
+  }
+  return classes;
+}
+
+TEST(Blocks, KeepConsecutiveSamplesOfAClassTogether) {
+  FoldSamples samples{12};
+  samples.choice = FoldChoice::kBlocks;
+  samples.classes = {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
+  samples.folds = 3;
+  EXPECT_EQ(folds(Protocol::kFolds, samples), (Folds{{{4, 5, 6, 7, 8, 9, 10, 11}, {0, 1, 2, 3}},
+                                                     {{0, 1, 2, 3, 8, 9, 10, 11}, {4, 5, 6, 7}},
+                                                     {{0, 1, 2, 3, 4, 5, 6, 7}, {8, 9, 10, 11}}}));
+  EXPECT_EQ(largest_block(samples), 2U);
+}
+
+TEST(Blocks, FollowEachOtherAndAreAsLargeAsInterleavedParts) {
+  for (std::size_t count = 2; count < 40; ++count) {
+    FoldSamples blocks = some_samples(count, count);
+    blocks.choice = FoldChoice::kBlocks;
+    FoldSamples interleaved = blocks;
+    interleaved.choice = FoldChoice::kInterleaved;
+    auto dealt = parts_of_classes(interleaved);
+    std::size_t largest = 0;
+    for (const auto& [number, parts] : parts_of_classes(blocks)) {
+      EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end())) << count;
+      std::sort(dealt[number].begin(), dealt[number].end());
+      EXPECT_EQ(parts, dealt[number]) << count;
+      for (const std::size_t part : parts) {
+        largest = std::max(largest,
+                           static_cast<std::size_t>(std::count(parts.begin(), parts.end(), part)));
+      }
+    }
+    EXPECT_EQ(largest_block(blocks), largest);
+    EXPECT_EQ(folds(Protocol::kFolds, blocks).size(), blocks.folds) << "none is empty";
+  }
+}
+
+TEST(Blocks, DoNotDependOnTheSeed) {
+  FoldSamples one = some_samples(30, 3);
+  one.choice = FoldChoice::kBlocks;
+  FoldSamples other = one;
+  other.seed = 77;
+  EXPECT_EQ(folds(Protocol::kFolds, one), folds(Protocol::kFolds, other));
+  EXPECT_EQ(folds(Protocol::kLeaveClassOut, one), folds(Protocol::kLeaveClassOut, other));
+}
+
+TEST(Blocks, OfFewerSamplesThanFoldsAreSingleSamples) {
+  FoldSamples samples{6};
+  samples.choice = FoldChoice::kBlocks;
+  samples.classes = {0, 0, 0, 1, 1, 1};
+  samples.folds = 5;
+  EXPECT_EQ(largest_block(samples), 1U);
+  const Folds parts = folds(Protocol::kFolds, samples);
+  ASSERT_EQ(parts.size(), 5U);
+  for (const Fold& fold : parts) EXPECT_FALSE(fold.test.empty());
+}
+
 TEST(Protocol, NeverTrainsOnWhatItTests) {
   for (const Protocol protocol :
        {Protocol::kLeaveOneOut, Protocol::kLeaveGroupOut, Protocol::kFolds, Protocol::kTestData}) {

@@ -155,6 +155,24 @@ TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
   expect_study_refused(study + "folds = 4\n" + module,
                        "study.toml:3: 'folds' has no effect without the protocol k_folds, "
                        "leave_class_out or object_after_object; leave it out, or add it");
+  const std::string choice = "fold_choice = \"blocks\"\n";
+  expect_study_refused(study + choice + module,
+                       "study.toml:3: 'fold_choice' has no effect without the protocol k_folds, "
+                       "leave_class_out or object_after_object and test_last = 0; leave it out, or "
+                       "add it");
+  expect_study_refused(study + choice + "protocols = [\"k_folds\"]\ntest_last = 2\n" + module,
+                       "study.toml:3: 'fold_choice' has no effect without the protocol k_folds, "
+                       "leave_class_out or object_after_object and test_last = 0; leave it out, or "
+                       "add it");
+}
+
+TEST(ReadStudy, KeepsNeighboursTogetherUnlessAnotherChoiceIsNamed) {
+  const std::string study = "[study]\nname = \"n\"\nprotocols = [\"k_folds\"]\n";
+  const std::string module = "[module.a]\ntype = \"channel\"\n";
+  EXPECT_EQ(read_study(study + module)->study.fold_choice, FoldChoice::kBlocks);
+  const auto named = read_study(study + "fold_choice = \"interleaved\"\n" + module);
+  EXPECT_EQ(named->study.fold_choice, FoldChoice::kInterleaved);
+  EXPECT_NE(to_toml(*named).find("fold_choice = \"interleaved\""), std::string::npos);
 }
 
 TEST(ReadStudy, RefusesQuestionsThatAskForNothing) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "maps/support/random_maps.h"
 #include "somato/core/check.h"
 #include "somato/core/random.h"
@@ -34,8 +36,18 @@ TEST(NearestNeighbour, NeedsTrainingSamples) {
   EXPECT_THROW((void)nearest_neighbour(kLine, {}, 1), InvalidArgument);
 }
 
+// (2, 2) is nearer to the origin by the Euclidean distance, and (3, 0) by the Manhattan distance.
+TEST(NearestNeighbour, DependsOnTheDistance) {
+  const Samples samples(Matrix<float>(3, 2, {0, 0, 2, 2, 3, 0}));
+  EXPECT_EQ(nearest_neighbours(samples, {1, 2}, {0}), (Numbers{1}));
+  EXPECT_EQ(nearest_neighbours(samples, {1, 2}, {0}, Similarity::kManhattan), (Numbers{2}));
+  EXPECT_THROW((void)nearest_neighbours(samples, {1, 2}, {0}, Similarity::kCosine),
+               InvalidArgument);
+}
+
 // All distances written out, the least one looked for.
-std::size_t oracle(const Samples& samples, const Numbers& training, std::size_t test) {
+std::size_t oracle(const Samples& samples, const Numbers& training, std::size_t test,
+                   Similarity similarity = Similarity::kEuclidean) {
   std::vector<std::vector<double>> rows;
   for (std::size_t i = 0; i < samples.count(); ++i) {
     std::vector<float> row(samples.size());
@@ -46,7 +58,8 @@ std::size_t oracle(const Samples& samples, const Numbers& training, std::size_t 
   for (const std::size_t candidate : training) {
     double sum = 0.0;
     for (std::size_t d = 0; d < samples.size(); ++d) {
-      sum += (rows[candidate][d] - rows[test][d]) * (rows[candidate][d] - rows[test][d]);
+      const double apart = rows[candidate][d] - rows[test][d];
+      sum += similarity == Similarity::kManhattan ? std::abs(apart) : apart * apart;
     }
     distances.push_back(sum);
   }
@@ -65,6 +78,8 @@ void compare_with_oracle(bool sparse) {
       Numbers training = numbers;
       training.erase(training.begin() + static_cast<std::ptrdiff_t>(test));
       ASSERT_EQ(nearest_neighbour(samples, training, test), oracle(samples, training, test));
+      ASSERT_EQ(nearest_neighbours(samples, training, {test}, Similarity::kManhattan).front(),
+                oracle(samples, training, test, Similarity::kManhattan));
     }
   }
 }
@@ -86,9 +101,11 @@ TEST(NearestNeighbour, OfManyTestsIsThatOfEachTest) {
     Numbers training;
     Numbers tests;
     for (std::size_t i = 0; i < samples.count(); ++i) (i % 2 == 0 ? training : tests).push_back(i);
-    const Numbers nearest = nearest_neighbours(samples, training, tests);
-    for (std::size_t i = 0; i < tests.size(); ++i) {
-      EXPECT_EQ(nearest[i], oracle(samples, training, tests[i])) << i;
+    for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kManhattan}) {
+      const Numbers nearest = nearest_neighbours(samples, training, tests, similarity);
+      for (std::size_t i = 0; i < tests.size(); ++i) {
+        EXPECT_EQ(nearest[i], oracle(samples, training, tests[i], similarity)) << i;
+      }
     }
   }
 }

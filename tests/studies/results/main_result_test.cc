@@ -43,6 +43,29 @@ TEST(MainResult, IsFarBelowTheBaselineByMoreThanFivePoints) {
   EXPECT_FALSE(far_below_baseline(protocol("train_is_test", 0.7, 1.0)));
 }
 
+TEST(MainResult, StatesTheDistanceFromTheBestNeighbour) {
+  ProtocolResults one = protocol("k_folds", 0.7, 0.6);
+  EXPECT_EQ(best_neighbour_sentence(one), "");
+  one.metrics.push_back({"best_neighbour_accuracy", {0.764}, {}});
+  EXPECT_NEAR(*above_best_neighbour(one), -0.064, 1e-12);
+  EXPECT_NEAR(*far_below_baseline(one), 0.064, 1e-12);
+  EXPECT_EQ(best_neighbour_sentence(one),
+            "The map is 6.4 points below the best nearest neighbour, 0.764.");
+  one.chosen_neighbours = {{"euclidean, raw", 2}, {"manhattan, standardized", 3}};
+  EXPECT_EQ(best_neighbour_sentence(one),
+            "The map is 6.4 points below the best nearest neighbour, 0.764 (manhattan, "
+            "standardized in 3 of 5 folds; euclidean, raw in 2 of 5 folds).");
+  one.chosen_neighbours = {{"manhattan, raw", 5}};
+  one.metrics.back().values = {0.6504};
+  EXPECT_EQ(best_neighbour_sentence(one),
+            "The map is 5.0 points above the best nearest neighbour, 0.650 (manhattan, raw).");
+  one.metrics.back().values = {0.7};
+  EXPECT_EQ(best_neighbour_sentence(one),
+            "The map is as accurate as the best nearest neighbour, 0.700 (manhattan, raw).");
+  one.protocol = "train_is_test";
+  EXPECT_EQ(best_neighbour_sentence(one), "");
+}
+
 TEST(MainResult, ConfusionsAreCountedOverAllRuns) {
   ProtocolResults results = protocol("k_folds", 0.5, 0.5);
   results.runs.push_back({2, {0, 0, 0, 0}, {"a", "a", "b", "c"}, {"a", "a", "b", "b"}, {}, {}});

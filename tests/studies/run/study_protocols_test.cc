@@ -187,6 +187,7 @@ TEST(KFolds, AreDealtBySeedAndLearnFromTheOthers) {
   StudyDescription description = small_study();
   description.study.protocols = {Protocol::kFolds, Protocol::kLeaveOneOut};
   description.study.folds = 12;
+  description.study.fold_choice = FoldChoice::kInterleaved;
   const Recording recording = objects_apart(3, 4, 150.0, 2);
   const StudyOutcome outcome = outcome_of(description, recording);
   // Twelve parts of twelve samples leave each out.

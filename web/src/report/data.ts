@@ -120,6 +120,11 @@ export interface SystemSummary {
   chance: number;
   /** The most frequent ones, over all runs. */
   confusions: Confusion[];
+  /**
+   * How far the map is from the best nearest neighbour, and whether neighbouring explorations are
+   * alike.
+   */
+  sentences: string[];
   next: NextStep[];
 }
 

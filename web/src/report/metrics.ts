@@ -14,6 +14,7 @@ export const kMetrics: ReadonlyMap<string, MetricInfo> = new Map<string, MetricI
   ["baseline_accuracy", { words: "Nearest-neighbour accuracy", range: "share" }],
   ["baseline_accuracy_raw", { words: "Nearest neighbour, raw", range: "share" }],
   ["baseline_accuracy_standardized", { words: "Nearest neighbour, standardized", range: "share" }],
+  ["best_neighbour_accuracy", { words: "Best nearest neighbour, chosen in training", range: "share" }],
   ["unknown_auroc", { words: "Unknown separated from known (AUROC)", range: "share" }],
   ["unknown_auroc_of_distance", { words: "The same by distance only", range: "share" }],
   ["unknown_noticed", { words: "Unknown noticed", range: "share" }],

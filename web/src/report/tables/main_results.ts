@@ -96,8 +96,11 @@ function summaryOfOne(system: SystemReport): string {
     `the ${words(fresh.label)} of ${shareOf(fresh)} of samples whose ${words(fresh.protocol.label)} was left out${beside(fresh)}`;
   const parts = [...(own.length > 0 ? [`the ${label} ${own.join(" and ")}`] : []), ...(other ? [other] : [])];
   if (parts.length === 0) return "";
-  return `${systemName(system)} identifies ${parts.join(", and ")}${runs > 1 ? `; means over ${runs} runs` : ""}.${confusionWords(system)}`;
+  return `${systemName(system)} identifies ${parts.join(", and ")}${runs > 1 ? `; means over ${runs} runs` : ""}.${confusionWords(system)}${sentencesOf(system)}`;
 }
+
+/** The sentences of the program, each after a space. */
+const sentencesOf = ({ summary }: SystemReport) => (summary?.sentences ?? []).map((one) => ` ${one}`).join("");
 
 /** The most frequent confusions. */
 function confusionWords({ summary, protocols }: SystemReport): string {

@@ -84,6 +84,7 @@ function factsOf(system: SystemReport): [string, string][] {
   const word = recordings.length === 1 ? "Recording" : "Recordings";
   if (recordings.length > 0) facts.push([word, recordingWords(recordings)]);
   if (system.data_hash !== "") facts.push(["Data", system.data_hash]);
+  for (const one of system.summary?.sentences ?? []) facts.push(["Compared", one]);
   return facts;
 }
 
