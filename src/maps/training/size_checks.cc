@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "base/core/paired_errors.h"
 #include "base/core/threads.h"
+#include "maps/analysis/paired_errors.h"
 #include "somato/maps/som_training.h"
 
 namespace somato {

@@ -18,7 +18,7 @@ struct SizeCheck {
 
 /// The measured size of a map.
 struct MeasuredSize {
-  double share = 1.0;              ///< Neurons for each sample that is learned; 1 is the greatest.
+  double share = 1.0;             ///< Neurons for each sample that is learned; 1 is the greatest.
   std::vector<SizeCheck> checks;  ///< In the order of the measurement; the last one may be worse.
 };
 

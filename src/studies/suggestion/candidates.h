@@ -51,8 +51,8 @@ struct ComparisonLimits {
 Result<Neighbourhoods> compare_codes(const Recording& recording, CandidateGroup& group,
                                      bool has_speed, const ComparisonLimits& limits);
 
-/// The standardized code that keeps the readings as they are: the bands of a sound, ten points of an
-/// exploration of several frames, or the only frame; nothing if it cannot be used.
+/// The standardized code that keeps the readings as they are: the bands of a sound, ten points of
+/// an exploration of several frames, or the only frame; nothing if it cannot be used.
 std::optional<std::size_t> plain_code(std::span<const CandidateCode> candidates);
 
 /// Compares the product of two senses, given its source.

@@ -26,7 +26,8 @@ struct Neighbourhoods {
 struct Part {
   std::vector<std::size_t> senses;
   PerView<Matrix<float>> distances;
-  Similarity similarity = Similarity::kEuclidean;  ///< Or Manhattan, whose distances are not squared.
+  Similarity similarity =
+      Similarity::kEuclidean;  ///< Or Manhattan, whose distances are not squared.
 };
 
 /// A part of a combination, whose vectors are multiplied by the weight.
@@ -51,9 +52,9 @@ std::vector<double> imbalances(std::span<const WeightedPart> parts,
 double score_of(std::span<const double> imbalances);
 
 /// The errors of a combination for each exploration, by which combinations of different senses are
-/// compared: as the imbalances, but every sense with halves is predicted from one half to the other,
-/// also if no part uses it, so that all combinations predict the same ranks; and without `least`. If
-/// all senses are used and have halves, score_of(imbalances()) is their mean.
+/// compared: as the imbalances, but every sense with halves is predicted from one half to the
+/// other, also if no part uses it, so that all combinations predict the same ranks; and without
+/// `least`. If all senses are used and have halves, score_of(imbalances()) is their mean.
 std::vector<double> errors_of(std::span<const WeightedPart> parts,
                               std::span<const Neighbourhoods> senses);
 

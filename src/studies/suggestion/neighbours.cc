@@ -29,10 +29,10 @@ double manhattan_of_sparse(const SignalView& a, const SignalView& b) {
   std::size_t i = 0;
   std::size_t k = 0;
   while (i < a.indices.size() || k < b.indices.size()) {
-    const bool has_a = k == b.indices.size() ||
-                       (i < a.indices.size() && a.indices[i] <= b.indices[k]);
-    const bool has_b = i == a.indices.size() ||
-                       (k < b.indices.size() && b.indices[k] <= a.indices[i]);
+    const bool has_a =
+        k == b.indices.size() || (i < a.indices.size() && a.indices[i] <= b.indices[k]);
+    const bool has_b =
+        i == a.indices.size() || (k < b.indices.size() && b.indices[k] <= a.indices[i]);
     const double of_a = has_a ? double{a.values[i++]} : 0.0;
     const double of_b = has_b ? double{b.values[k++]} : 0.0;
     sum += std::fabs(of_a - of_b);

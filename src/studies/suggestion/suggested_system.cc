@@ -13,8 +13,8 @@ namespace somato {
 namespace {
 
 // docs/suggest.md#size-and-length
-constexpr double kLargest = 50.0;               // neurons, times the root of the samples
-constexpr std::size_t kIterations = 100;        // for each neuron
+constexpr double kLargest = 50.0;         // neurons, times the root of the samples
+constexpr std::size_t kIterations = 100;  // for each neuron
 constexpr std::size_t kLeastIterations = 20000;
 constexpr double kRadiusEnd = 0.2;
 constexpr double kTolerance = 0.001;
@@ -101,9 +101,9 @@ class SystemOfParts {
   }
 
   void add_map(const std::string& input) {
-    const std::size_t side = side_of_map(suggestion_.explorations,
-                                         suggestion_.parameters.least_side.value_or(1),
-                                         suggestion_.size.share);
+    const std::size_t side =
+        side_of_map(suggestion_.explorations, suggestion_.parameters.least_side.value_or(15),
+                    suggestion_.size.share);
     const std::size_t iterations = std::max(kLeastIterations, kIterations * side * side);
     std::vector<SystemBuilder::Setting> settings{
         {"input", {input}},

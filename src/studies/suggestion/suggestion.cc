@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/core/paired_errors.h"
+#include "maps/analysis/paired_errors.h"
 #include "somato/core/random.h"
 #include "somato/recording/layout.h"
 #include "studies/suggestion/candidates.h"
@@ -457,8 +457,7 @@ class Search {
     SOMATO_TRY(const std::vector<Part> parts, distances_of_parts(Similarity::kEuclidean));
     const std::vector<WeightedPart> all = weighted(parts);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      suggestion_.parts[i].score =
-          score_of(imbalances(std::span(all).first(i + 1), predicted_));
+      suggestion_.parts[i].score = score_of(imbalances(std::span(all).first(i + 1), predicted_));
     }
     return {};
   }
@@ -535,10 +534,11 @@ const Declarations<SuggestionParameters>& SuggestionParameters::declarations() {
                "equally good ones is used.")
           .add("least_gain", &P::least_gain, "", Range::between(0, 1),
                "Least decrease of the score for which a further part is added.")
-          .add("least_side", &P::least_side, "neurons", Range::between(1, 40),
-               "Least number of rows and of columns of the map, which otherwise has at most as many "
-               "neurons as explorations to learn; automatic: 15 as in the papers, or 1 if "
-               "explorations have one frame, as the rows of a table.")
+          .add(
+              "least_side", &P::least_side, "neurons", Range::between(1, 40),
+              "Least number of rows and of columns of the map, which otherwise has at most as many "
+              "neurons as explorations to learn; automatic: 15 as in the papers, or 1 if "
+              "explorations have one frame, as the rows of a table.")
           .add("seed", &P::seed, "", Range::between(0, 1e15),
                "Seed of the draw of explorations, if there are more than are compared.");
   return declared;

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "maps/training/size_checks.h"
 #include "somato/core/parameter.h"
 #include "somato/core/progress.h"
 #include "somato/core/result.h"
 #include "somato/core/value.h"
 #include "somato/graph/system_description.h"
 #include "somato/maps/som_parameters.h"
-#include "maps/training/size_checks.h"
 #include "somato/recording/format.h"
 #include "somato/recording/recording.h"
 
@@ -93,7 +93,7 @@ struct Suggestion {
   std::vector<SuggestedPart> parts;
   std::vector<SuggestedComparison> comparisons;  ///< The combination, the plain vector, Manhattan.
   Similarity similarity = Similarity::kEuclidean;  ///< Of the map, or Manhattan.
-  MeasuredSize size;  ///< Without checks if 'least_side' decides alone.
+  MeasuredSize size;             ///< Without checks if 'least_side' decides alone.
   std::size_t combinations = 0;  ///< The number that was compared.
   bool nothing_related = false;  ///< No sense was predicted better than by chance; all are kept.
   SystemDescription system;

@@ -127,7 +127,8 @@ std::string about_comparisons(const Suggestion& suggestion) {
 std::string about_size(const Suggestion& suggestion) {
   if (suggestion.size.checks.empty()) return {};
   std::string text =
-      "# Neurons, doubled until twice as many do not clearly lower the mean distance of each fifth\n"
+      "# Neurons, doubled until twice as many do not clearly lower the mean distance of each "
+      "fifth\n"
       "# exploration from a map of the others:\n";
   for (const SizeCheck& check : suggestion.size.checks) {
     text += fmt::format("#   {}: {:.4g}\n", plural(check.neurons, "neuron"), check.error);
@@ -165,8 +166,8 @@ std::string heading_of(const Suggestion& suggestion) {
         "# explorations are required.\n#\n";
   }
   text += fmt::format("# Parts, after {}:\n", plural(suggestion.combinations, "combination")) +
-          about_parts(suggestion) + "#\n" + about_comparisons(suggestion) +
-          about_size(suggestion) + "# Channels and the scores of their codes:\n";
+          about_parts(suggestion) + "#\n" + about_comparisons(suggestion) + about_size(suggestion) +
+          "# Channels and the scores of their codes:\n";
   for (std::size_t group = 0; group < suggestion.groups.size(); ++group) {
     text += about_group(suggestion, group);
   }

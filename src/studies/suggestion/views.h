@@ -45,8 +45,8 @@ inline constexpr std::array<Split, 4> kSplits{Split{View::kOdd, View::kEven},
 Recording seen_in(const Recording& recording, View view);
 
 /// The vectors with only the elements of the view, divided as the frames of an exploration are: for
-/// senses whose explorations have one frame. Vectors of a single element, and sparse ones, belong to
-/// every view.
+/// senses whose explorations have one frame. Vectors of a single element, and sparse ones, belong
+/// to every view.
 Samples seen_in(const Samples& vectors, View view);
 
 }  // namespace somato

@@ -18,13 +18,12 @@ Samples normal_samples(std::size_t count, std::size_t features, double scale = 1
   return Samples(std::move(values));
 }
 
-// Four points with hardly any noise, each of many samples: four neurons are enough.
-Samples four_points(double noise) {
-  Random random(3);
+// Four points, each of 75 samples: a few neurons are enough.
+Samples four_points() {
   Matrix<float> values(300, 2);
   for (std::size_t i = 0; i < values.rows(); ++i) {
-    values(i, 0) = static_cast<float>((i / 75 % 2 ? 10.0 : 0.0) + noise * random.normal());
-    values(i, 1) = static_cast<float>((i / 150 ? 10.0 : 0.0) + noise * random.normal());
+    values(i, 0) = i / 75 % 2 ? 10.0F : 0.0F;
+    values(i, 1) = i / 150 ? 10.0F : 0.0F;
   }
   return Samples(std::move(values));
 }
@@ -46,9 +45,10 @@ TEST(SizeChecks, ErrorsFallWithEveryNeuronOfSpreadSamples) {
 }
 
 TEST(SizeChecks, EqualSamplesNeedNoFurtherNeuron) {
-  const MeasuredSize size = measured(four_points(0.0));
-  EXPECT_EQ(size.share, 1.0 / 16.0);
-  EXPECT_EQ(size.checks.size(), 2U);
+  const MeasuredSize size = measured(four_points());
+  EXPECT_LT(size.share, 0.5);
+  EXPECT_LT(size.checks.size(), 5U);
+  EXPECT_LT(size.checks.front().error, 0.1);
 }
 
 TEST(SizeChecks, ThreadsHaveNoEffect) {

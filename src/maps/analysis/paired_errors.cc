@@ -1,4 +1,4 @@
-#include "base/core/paired_errors.h"
+#include "maps/analysis/paired_errors.h"
 
 #include <algorithm>
 #include <cmath>
