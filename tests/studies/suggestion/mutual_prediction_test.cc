@@ -130,11 +130,11 @@ TEST(MutualPrediction, ErrorsOfASenseThatIsNotUsedAreThoseOfItsHalves) {
 
 // The weight is a factor of the vectors, and so of their Manhattan distances.
 TEST(MutualPrediction, ManhattanDistancesAreAddedWithTheirWeights) {
-  Part a = random_part({0}, 1);
-  Part b = random_part({1}, 2);
+  Part a = random_part({1}, 1);
+  Part b = random_part({2}, 2);
   a.similarity = b.similarity = Similarity::kManhattan;
-  const std::vector<Neighbourhoods> senses{ranks_of(random_part({2}, 3))};
-  Part both{{0, 1}, a.distances};
+  const std::vector<Neighbourhoods> senses{ranks_of(random_part({0}, 3))};
+  Part both{{1, 2}, a.distances};
   for (const View view : kAllViews) {
     for (std::size_t i = 0; i < kCount * kCount; ++i) {
       both.distances[view].values()[i] =
