@@ -122,7 +122,8 @@ Result<void> compare_source(const Recording& recording, std::size_t number, bool
   const FrameSource source = group.sources[number];
   SOMATO_TRY(const auto frames, viewed_frames(recording, source, limits.threads));
   const FrameFacts facts = facts_of(frames[View::kWhole], has_speed);
-  sum.has_halves = facts.shortest_half > 0;
+  const bool has_elements = facts.most_frames == 1 && facts.elements > 1;
+  sum.has_halves = facts.shortest_half > 0 || has_elements;
   std::vector<Code> codes = codes_of(source, facts);
   Samples preceding;
   for (std::size_t i = 0; i < codes.size(); ++i) {
@@ -135,12 +136,24 @@ Result<void> compare_source(const Recording& recording, std::size_t number, bool
   return {};
 }
 
+Result<Representation> represented(const Recording& recording, const CandidateGroup& group,
+                                   std::size_t number, const ComparisonLimits& limits) {
+  const CandidateCode& candidate = group.candidates[number];
+  SOMATO_TRY(const auto frames,
+             viewed_frames(recording, group.sources[candidate.source], limits.threads));
+  SOMATO_TRY(auto found, represent(frames, candidate.code, {candidate.scaling}, limits.elements,
+                                   limits.threads));
+  return std::move(found.front());
+}
+
 PerView<Matrix<float>> unit_distances(const Representation& representation, double spread,
-                                      std::size_t threads) {
+                                      Similarity similarity, std::size_t threads) {
+  const bool is_manhattan = similarity == Similarity::kManhattan;
+  const auto distances_of = is_manhattan ? manhattan_distances : squared_distances;
+  const auto factor = static_cast<float>(1.0 / (is_manhattan ? std::sqrt(spread) : spread));
   PerView<Matrix<float>> distances;
-  const auto factor = static_cast<float>(1.0 / spread);
   for (const View view : kAllViews) {
-    distances[view] = squared_distances(representation.vectors[view], threads);
+    distances[view] = distances_of(representation.vectors[view], threads);
     for (float& distance : distances[view].values()) distance *= factor;
   }
   return distances;
@@ -172,20 +185,43 @@ Result<void> compare_product(const Recording& recording, CandidateGroup& group,
   return limits.proceed(1.0);
 }
 
+std::optional<std::size_t> plain_code(std::span<const CandidateCode> candidates) {
+  const auto find = [&](const std::string& name) -> std::optional<std::size_t> {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const CandidateCode& candidate = candidates[i];
+      const bool is_plain = candidate.source == 0 && candidate.code.name == name &&
+                            candidate.scaling == Scaling::kStandardized;
+      if (is_plain && candidate.is_usable()) return i;
+    }
+    return std::nullopt;
+  };
+  const bool is_scalar = std::ranges::any_of(candidates, [](const CandidateCode& candidate) {
+    return candidate.code.name == "last" && candidate.elements == 1;
+  });
+  if (is_scalar) {
+    if (const auto bands = find("wide_spectrum")) return bands;
+  }
+  const auto curve = find("curve");
+  return curve ? curve : find("last");
+}
+
 Result<std::vector<Part>> parts_of(const Recording& recording, const CandidateGroup& group,
                                    std::span<const std::size_t> chosen,
-                                   const ComparisonLimits& limits) {
+                                   const ComparisonLimits& limits, Similarity similarity) {
   std::vector<Part> parts;
   for (const std::size_t number : chosen) {
-    const CandidateCode& candidate = group.candidates[number];
-    SOMATO_TRY(const auto frames,
-               viewed_frames(recording, group.sources[candidate.source], limits.threads));
-    SOMATO_TRY(const auto found, represent(frames, candidate.code, {candidate.scaling},
-                                           limits.elements, limits.threads));
+    SOMATO_TRY(const Representation found, represented(recording, group, number, limits));
+    const double spread = group.candidates[number].spread;
     parts.push_back(
-        {group.senses, unit_distances(found.front(), candidate.spread, limits.threads)});
+        {group.senses, unit_distances(found, spread, similarity, limits.threads), similarity});
   }
   return parts;
+}
+
+Result<Samples> vectors_of(const Recording& recording, const CandidateGroup& group,
+                           std::size_t number, const ComparisonLimits& limits) {
+  SOMATO_TRY(const Representation found, represented(recording, group, number, limits));
+  return found.vectors[View::kWhole];
 }
 
 }  // namespace somato

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,13 +51,22 @@ struct ComparisonLimits {
 Result<Neighbourhoods> compare_codes(const Recording& recording, CandidateGroup& group,
                                      bool has_speed, const ComparisonLimits& limits);
 
+/// The standardized code that keeps the readings as they are: the bands of a sound, ten points of
+/// an exploration of several frames, or the only frame; nothing if it cannot be used.
+std::optional<std::size_t> plain_code(std::span<const CandidateCode> candidates);
+
 /// Compares the product of two senses, given its source.
 Result<void> compare_product(const Recording& recording, CandidateGroup& group,
                              const ComparisonLimits& limits);
 
-/// The distances of chosen candidates of the group.
+/// The distances of chosen candidates of the group, Euclidean or Manhattan.
 Result<std::vector<Part>> parts_of(const Recording& recording, const CandidateGroup& group,
                                    std::span<const std::size_t> chosen,
-                                   const ComparisonLimits& limits);
+                                   const ComparisonLimits& limits,
+                                   Similarity similarity = Similarity::kEuclidean);
+
+/// The vectors of a candidate of the group for whole explorations.
+Result<Samples> vectors_of(const Recording& recording, const CandidateGroup& group,
+                           std::size_t number, const ComparisonLimits& limits);
 
 }  // namespace somato

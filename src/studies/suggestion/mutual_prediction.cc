@@ -29,7 +29,9 @@ Matrix<float> combined(std::span<const WeightedPart> parts, std::size_t sense, V
   for (const WeightedPart& weighted : parts) {
     const View seen = uses(*weighted.part, sense) ? view : View::kWhole;
     const std::span<const float> distances = weighted.part->distances[seen].values();
-    const auto factor = static_cast<float>(weighted.weight * weighted.weight);
+    const bool is_squared = weighted.part->similarity == Similarity::kEuclidean;
+    const auto factor =
+        static_cast<float>(is_squared ? weighted.weight * weighted.weight : weighted.weight);
     const std::span<float> sums = sum.values();
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += factor * distances[i];
   }
@@ -39,6 +41,13 @@ Matrix<float> combined(std::span<const WeightedPart> parts, std::size_t sense, V
 double from_whole(const Nearest& whole, const Neighbourhoods& sense, bool is_used) {
   const double imbalance = information_imbalance(whole, sense.ranks[View::kWhole]);
   return is_used ? std::max(imbalance, sense.least) : imbalance;
+}
+
+// Adds the terms of the information imbalance, times the factor.
+void add_terms(const Nearest& nearest, const Matrix<float>& ranks, double factor,
+               std::vector<double>& terms) {
+  const double each = factor * 2.0 / static_cast<double>(nearest.size());
+  for (std::size_t i = 0; i < nearest.size(); ++i) terms[i] += each * double{ranks(i, nearest[i])};
 }
 
 }  // namespace
@@ -75,6 +84,24 @@ double score_of(std::span<const double> imbalances) {
   double sum = 0.0;
   for (const double imbalance : imbalances) sum += imbalance;
   return sum / static_cast<double>(imbalances.size());
+}
+
+std::vector<double> errors_of(std::span<const WeightedPart> parts,
+                              std::span<const Neighbourhoods> senses) {
+  const Nearest whole = nearest_others(combined(parts, senses.size(), View::kWhole));
+  const double each = 1.0 / static_cast<double>(senses.size());
+  std::vector<double> errors(whole.size(), 0.0);
+  for (std::size_t sense = 0; sense < senses.size(); ++sense) {
+    if (!senses[sense].has_halves) {
+      add_terms(whole, senses[sense].ranks[View::kWhole], each, errors);
+      continue;
+    }
+    for (const Split& split : kSplits) {
+      add_terms(nearest_others(combined(parts, sense, split.from)), senses[sense].ranks[split.to],
+                each / static_cast<double>(kSplits.size()), errors);
+    }
+  }
+  return errors;
 }
 
 }  // namespace somato

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "somato/core/matrix.h"
+#include "somato/maps/som_parameters.h"
 #include "studies/suggestion/views.h"
 
 namespace somato {
@@ -20,11 +21,13 @@ struct Neighbourhoods {
   double least = 0.0;
 };
 
-/// Squared distances of all explorations in a representation, divided by its spread, and the
-/// numbers of the senses that it uses.
+/// Squared distances of all explorations in a representation, divided by its spread, or Manhattan
+/// distances, divided by the root of the spread; and the numbers of the senses that it uses.
 struct Part {
   std::vector<std::size_t> senses;
   PerView<Matrix<float>> distances;
+  Similarity similarity =
+      Similarity::kEuclidean;  ///< Or Manhattan, whose distances are not squared.
 };
 
 /// A part of a combination, whose vectors are multiplied by the weight.
@@ -47,5 +50,12 @@ std::vector<double> imbalances(std::span<const WeightedPart> parts,
 
 /// The mean of the imbalances; lower is better.
 double score_of(std::span<const double> imbalances);
+
+/// The errors of a combination for each exploration, by which combinations of different senses are
+/// compared: as the imbalances, but every sense with halves is predicted from one half to the
+/// other, also if no part uses it, so that all combinations predict the same ranks; and without
+/// `least`. If all senses are used and have halves, score_of(imbalances()) is their mean.
+std::vector<double> errors_of(std::span<const WeightedPart> parts,
+                              std::span<const Neighbourhoods> senses);
 
 }  // namespace somato

@@ -1,6 +1,7 @@
 #include "studies/suggestion/neighbours.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/core/threads.h"
@@ -22,16 +23,40 @@ std::vector<std::uint32_t> ordered_others(std::span<const float> distances, std:
   return others;
 }
 
-}  // namespace
+// Of stored values, whose positions ascend.
+double manhattan_of_sparse(const SignalView& a, const SignalView& b) {
+  double sum = 0.0;
+  std::size_t i = 0;
+  std::size_t k = 0;
+  while (i < a.indices.size() || k < b.indices.size()) {
+    const bool has_a =
+        k == b.indices.size() || (i < a.indices.size() && a.indices[i] <= b.indices[k]);
+    const bool has_b =
+        i == a.indices.size() || (k < b.indices.size() && b.indices[k] <= a.indices[i]);
+    const double of_a = has_a ? double{a.values[i++]} : 0.0;
+    const double of_b = has_b ? double{b.values[k++]} : 0.0;
+    sum += std::fabs(of_a - of_b);
+  }
+  return sum;
+}
 
-Matrix<float> squared_distances(const Samples& samples, std::size_t threads) {
+double manhattan_distance(const SignalView& a, const SignalView& b) {
+  if (a.sparse) return manhattan_of_sparse(a, b);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    sum += std::fabs(double{a.values[i]} - double{b.values[i]});
+  }
+  return sum;
+}
+
+using PairDistance = double (*)(const SignalView&, const SignalView&);
+
+Matrix<float> pair_distances(const Samples& samples, std::size_t threads, PairDistance distance) {
   const std::size_t count = samples.count();
   Matrix<float> distances(count, count);
   for_each_task(count, threads, [&](std::size_t sample) {
     for (std::size_t other = 0; other < sample; ++other) {
-      // Rounding may leave the distance of two equal sparse samples below 0.
-      const double squared = std::max(0.0, squared_distance(samples[sample], samples[other]));
-      distances(sample, other) = static_cast<float>(squared);
+      distances(sample, other) = static_cast<float>(distance(samples[sample], samples[other]));
     }
   });
   for (std::size_t sample = 0; sample < count; ++sample) {
@@ -40,6 +65,19 @@ Matrix<float> squared_distances(const Samples& samples, std::size_t threads) {
     }
   }
   return distances;
+}
+
+}  // namespace
+
+Matrix<float> squared_distances(const Samples& samples, std::size_t threads) {
+  // Rounding may leave the distance of two equal sparse samples below 0.
+  return pair_distances(samples, threads, [](const SignalView& a, const SignalView& b) {
+    return std::max(0.0, squared_distance(a, b));
+  });
+}
+
+Matrix<float> manhattan_distances(const Samples& samples, std::size_t threads) {
+  return pair_distances(samples, threads, manhattan_distance);
 }
 
 double spread_of(const Matrix<float>& squared_distances) {

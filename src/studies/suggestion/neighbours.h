@@ -14,6 +14,9 @@ namespace somato {
 /// same for any number of threads.
 Matrix<float> squared_distances(const Samples& samples, std::size_t threads);
 
+/// The sum of the magnitudes of the differences of all elements, likewise.
+Matrix<float> manhattan_distances(const Samples& samples, std::size_t threads);
+
 /// The mean squared distance of the samples from their mean: half the mean of all squared
 /// distances, those from themselves included. Throws InvalidArgument without samples.
 double spread_of(const Matrix<float>& squared_distances);

@@ -60,6 +60,19 @@ Result<System> trained(SystemDescription description, const Recording& frames,
   return system;
 }
 
+bool have_one_frame(const Recording& frames) {
+  return std::ranges::all_of(frames.explorations, [](const Exploration& exploration) {
+    return exploration.channels.front().frames.rows() < 2;
+  });
+}
+
+// Explorations of one frame are divided by the elements of their vectors.
+PerView<Samples> views_of_elements(const Samples& vectors) {
+  PerView<Samples> views;
+  for (const View view : kAllViews) views[view] = seen_in(vectors, view);
+  return views;
+}
+
 }  // namespace
 
 ViewedFrames all_views_of(const Recording& frames) {
@@ -81,11 +94,18 @@ Result<std::vector<Representation>> represent(const ViewedFrames& frames, const 
     SOMATO_TRY(const std::size_t output, system.find(representations.back().code.output));
     outputs.push_back(output);
   }
+  const bool one_frame = have_one_frame(whole);
   for (const View view : kAllViews) {
+    if (one_frame && view != View::kWhole) continue;
     Activations activations(system.modules().size(), whole.explorations.size());
     SOMATO_TRY_VOID(evaluate(system, frames[view], all_of(whole), outputs, threads, activations));
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       representations[i].vectors[view] = activations.values_of(outputs[i]).samples;
+    }
+  }
+  if (one_frame) {
+    for (Representation& each : representations) {
+      each.vectors = views_of_elements(each.vectors[View::kWhole]);
     }
   }
   return representations;

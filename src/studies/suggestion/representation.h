@@ -25,6 +25,7 @@ struct Representation {
 };
 
 /// The vectors of a code in the scalings; modules that learn are trained on whole explorations.
+/// If every exploration has one frame, a view contains some elements of the vector instead.
 /// Errors: those of the modules; vectors of more than `most_elements` (kData).
 Result<std::vector<Representation>> represent(const ViewedFrames& frames, const Code& code,
                                               const std::vector<Scaling>& scalings,

@@ -12,9 +12,12 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kLongestSide = 40;
-constexpr std::size_t kIterations = 20000;  // docs/below-the-baseline.md
-constexpr double kRadiusEnd = 0.5;
+// docs/suggest.md#size-and-length
+constexpr double kLargest = 50.0;         // neurons, times the root of the samples
+constexpr std::size_t kIterations = 100;  // for each neuron
+constexpr std::size_t kLeastIterations = 20000;
+constexpr double kRadiusEnd = 0.2;
+constexpr double kTolerance = 0.001;
 
 // The names of modules in a setting.
 std::vector<std::string> names_in(const Value& value) {
@@ -80,7 +83,7 @@ class SystemOfParts {
     std::vector<ModuleDescription> modules = group.sources[candidate.source].modules;
     modules.insert(modules.end(), code.modules.begin(), code.modules.end());
     std::ranges::for_each(needed(modules, code.output), [&](const auto& m) { add(m); });
-    if (suggestion_.parts.size() == 1) return code.output;
+    if (suggestion_.parts.size() == 1 || part.factor == 1.0) return code.output;
     const std::string name = "part_of_" + code.output;
     const SystemBuilder builder = SystemBuilder("").module(
         name, "scale", {{"input", {code.output}}, {"factor", {rounded(part.factor)}}});
@@ -97,20 +100,23 @@ class SystemOfParts {
     return "vector";
   }
 
-  // At least two neurons for each exploration.
   void add_map(const std::string& input) {
-    const auto explorations = static_cast<double>(suggestion_.explorations);
-    const auto wanted = static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * explorations)));
-    const auto side = static_cast<std::int64_t>(
-        std::clamp(wanted, suggestion_.parameters.least_side.value_or(15), kLongestSide));
-    const SystemBuilder builder =
-        SystemBuilder("").module("map", "som",
-                                 {{"input", {input}},
-                                  {"rows", {side}},
-                                  {"columns", {side}},
-                                  {"iterations", {static_cast<std::int64_t>(kIterations)}},
-                                  {"radius_end", {kRadiusEnd}}});
-    add(builder.description().modules.front());
+    const std::size_t side =
+        side_of_map(suggestion_.explorations, suggestion_.parameters.least_side.value_or(15),
+                    suggestion_.size.share);
+    const std::size_t iterations = std::max(kLeastIterations, kIterations * side * side);
+    std::vector<SystemBuilder::Setting> settings{
+        {"input", {input}},
+        {"rows", {static_cast<std::int64_t>(side)}},
+        {"columns", {static_cast<std::int64_t>(side)}},
+        {"iterations", {static_cast<std::int64_t>(iterations)}},
+        {"tolerance", {kTolerance}},
+        {"radius_schedule", {choice_name(ScheduleShape::kExponential)}},
+        {"radius_end", {kRadiusEnd}}};
+    if (suggestion_.similarity != Similarity::kEuclidean) {
+      settings.push_back({"similarity", {choice_name(suggestion_.similarity)}});
+    }
+    add(SystemBuilder("").module("map", "som", settings).description().modules.front());
   }
 
   const Suggestion& suggestion_;
@@ -119,6 +125,17 @@ class SystemOfParts {
 };
 
 }  // namespace
+
+std::size_t learned_in_fold(std::size_t explorations) {
+  return explorations > kMostLeftOut ? explorations - (explorations + kFolds - 1) / kFolds
+                                     : explorations - 1;
+}
+
+std::size_t side_of_map(std::size_t explorations, std::size_t least_side, double share) {
+  const auto samples = static_cast<double>(learned_in_fold(explorations));
+  const double neurons = std::min(share * samples, kLargest * std::sqrt(samples));
+  return std::max(static_cast<std::size_t>(std::sqrt(neurons)), least_side);
+}
 
 SystemDescription system_of(const Suggestion& suggestion, std::span<const CandidateGroup> groups) {
   return SystemOfParts(suggestion, groups).built();

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "maps/analysis/paired_errors.h"
 #include "somato/core/random.h"
 #include "somato/recording/layout.h"
 #include "studies/suggestion/candidates.h"
@@ -52,6 +53,15 @@ Recording without_labels(const Recording& recording, const std::vector<std::size
   return bare;
 }
 
+bool have_several_frames(const Recording& recording) {
+  if (recording.explorations.empty()) return false;
+  const std::size_t channels = recording.explorations.front().channels.size();
+  for (std::size_t i = 0; i < channels; ++i) {
+    if (has_several_frames(recording, i)) return true;
+  }
+  return false;
+}
+
 Result<void> check_usable(const Recording& recording) {
   SOMATO_TRY_VOID(validate(recording));
   if (recording.explorations.size() > 1) return {};
@@ -68,11 +78,13 @@ class Search {
       : parameters_(parameters),
         options_(options),
         whole_(recording),
-        recording_(without_labels(recording, drawn(recording.explorations.size(),
-                                                   parameters.explorations, parameters.seed))),
+        has_frames_(have_several_frames(recording)),
+        recording_(without_labels(
+            recording, drawn(recording.explorations.size(), most_compared(), parameters.seed))),
         layout_(layout_of(recording_)) {
     suggestion_.parameters = parameters;
-    suggestion_.parameters.least_side = parameters.least_side.value_or(least_side());
+    suggestion_.parameters.explorations = most_compared();
+    suggestion_.parameters.least_side = parameters.least_side.value_or(has_frames_ ? 15 : 1);
     suggestion_.explorations = recording.explorations.size();
     suggestion_.compared = recording_.explorations.size();
   }
@@ -84,16 +96,15 @@ class Search {
     SOMATO_TRY_VOID(compare_products());
     record_scores();
     SOMATO_TRY_VOID(combine());
+    SOMATO_TRY_VOID(measure_size());
     suggestion_.system = system_of(suggestion_, groups_);
     return std::move(suggestion_);
   }
 
  private:
-  std::size_t least_side() const {
-    for (std::size_t i = 0; i < channels().size(); ++i) {
-      if (has_several_frames(recording_, i)) return 15;
-    }
-    return 1;
+  // Rows of a table are compared sooner than explorations of many frames.
+  std::size_t most_compared() const {
+    return parameters_.explorations.value_or(has_frames_ ? 200 : 500);
   }
 
   Result<void> proceed(double share) const {
@@ -199,7 +210,9 @@ class Search {
 
   // Whether a candidate of the sense predicts something better than by chance: three standard
   // deviations of the mean of random ranks.
+  // Elements of a single frame may be independent of each other, and such a sense is kept.
   bool is_related(std::size_t channel) const {
+    if (!has_several_frames(recording_, channel)) return has_usable_code(channel);
     const auto count = static_cast<double>(recording_.explorations.size());
     const double least = 1.0 - 3.0 / std::sqrt(3.0 * count);
     return std::ranges::any_of(groups_[channel].candidates, [&](const CandidateCode& candidate) {
@@ -208,14 +221,16 @@ class Search {
     });
   }
 
+  bool has_usable_code(std::size_t channel) const {
+    return std::ranges::any_of(groups_[channel].candidates, &CandidateCode::is_usable);
+  }
+
   void drop_unrelated() {
     std::vector<std::size_t> related;
     std::vector<std::size_t> usable;
     for (const std::size_t sense : channels_with(ChannelRole::kSense)) {
       if (is_related(sense)) related.push_back(sense);
-      if (std::ranges::any_of(groups_[sense].candidates, &CandidateCode::is_usable)) {
-        usable.push_back(sense);
-      }
+      if (has_usable_code(sense)) usable.push_back(sense);
     }
     suggestion_.nothing_related = related.empty();
     if (related.empty()) related = usable;
@@ -347,12 +362,133 @@ class Search {
       suggestion_.parts.push_back(
           {choice.group, choice.code, part.weight, part.weight / std::sqrt(spread), part.score});
     }
+    return suggestion_.nothing_related ? Result<void>() : settle();
+  }
+
+  // The plain vector replaces a combination that is not clearly better, and Manhattan distance the
+  // Euclidean one if it is clearly better.
+  Result<void> settle() {
+    SOMATO_TRY(std::vector<double> errors, errors_of_parts(Similarity::kEuclidean));
+    add_comparison("the combination", errors, true);
+    const std::vector<SuggestedPart> plain = plain_parts();
+    if (!plain.empty() && !is_same(plain, suggestion_.parts)) {
+      std::vector<SuggestedPart> found = std::exchange(suggestion_.parts, plain);
+      SOMATO_TRY(std::vector<double> of_plain, errors_of_parts(Similarity::kEuclidean));
+      const bool is_kept = is_clearly_better(errors, of_plain);
+      suggestion_.comparisons.back().is_chosen = is_kept;
+      add_comparison("the plain standardized vector", of_plain, !is_kept);
+      if (is_kept) std::swap(suggestion_.parts, found);
+      if (!is_kept) std::swap(errors, of_plain);
+      if (!is_kept) SOMATO_TRY_VOID(score_parts());
+    }
+    SOMATO_TRY(const auto of_manhattan, errors_of_parts(Similarity::kManhattan));
+    const bool is_manhattan = is_clearly_better(of_manhattan, errors);
+    if (is_manhattan) suggestion_.similarity = Similarity::kManhattan;
+    add_comparison("the chosen vector by Manhattan distance", of_manhattan, is_manhattan);
     return {};
+  }
+
+  // With fewer neurons than `least_side` requires nothing needs to be measured.
+  Result<void> measure_size() {
+    const std::size_t least = *suggestion_.parameters.least_side;
+    if (side_of_map(suggestion_.explorations, 1, 1.0) <= least) return {};
+    SOMATO_TRY(const Samples vectors, vectors_of_parts());
+    SOMATO_TRY(suggestion_.size, measured_size(vectors, suggestion_.similarity, options_.threads,
+                                               [this] { return proceed(1.0); }));
+    return {};
+  }
+
+  // The input of the map.
+  Result<Samples> vectors_of_parts() const {
+    Matrix<float> vectors(recording_.explorations.size(), elements_of_parts());
+    std::size_t first = 0;
+    for (const SuggestedPart& part : suggestion_.parts) {
+      SOMATO_TRY(const Samples samples,
+                 vectors_of(recording_, groups_[part.group], part.code, limits(1.0, 1.0)));
+      for (std::size_t i = 0; i < samples.count(); ++i) {
+        const SignalView sample = samples[i];
+        for (std::size_t k = 0; k < sample.values.size(); ++k) {
+          vectors(i, first + (sample.sparse ? sample.indices[k] : k)) =
+              static_cast<float>(part.factor * double{sample.values[k]});
+        }
+      }
+      first += samples.size();
+    }
+    return Samples(std::move(vectors));
+  }
+
+  std::size_t elements_of_parts() const {
+    std::size_t elements = 0;
+    for (const SuggestedPart& part : suggestion_.parts) {
+      elements += groups_[part.group].candidates[part.code].elements;
+    }
+    return elements;
+  }
+
+  void add_comparison(const std::string& name, const std::vector<double>& errors, bool is_chosen) {
+    const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
+    suggestion_.comparisons.push_back({name, sum / static_cast<double>(errors.size()), is_chosen});
+  }
+
+  static bool is_same(const std::vector<SuggestedPart>& some,
+                      const std::vector<SuggestedPart>& others) {
+    return some.size() == 1 && others.size() == 1 && some[0].group == others[0].group &&
+           some[0].code == others[0].code;
+  }
+
+  Result<std::vector<Part>> distances_of_parts(Similarity similarity) const {
+    std::vector<Part> parts;
+    for (const SuggestedPart& part : suggestion_.parts) {
+      SOMATO_TRY_VOID(proceed(1.0));
+      SOMATO_TRY(auto found, parts_of(recording_, groups_[part.group], {&part.code, 1},
+                                      limits(1.0, 1.0), similarity));
+      parts.push_back(std::move(found.front()));
+    }
+    return parts;
+  }
+
+  Result<std::vector<double>> errors_of_parts(Similarity similarity) const {
+    SOMATO_TRY(const std::vector<Part> parts, distances_of_parts(similarity));
+    return errors_of(weighted(parts), predicted_);
+  }
+
+  // The score of the combination up to each part.
+  Result<void> score_parts() {
+    SOMATO_TRY(const std::vector<Part> parts, distances_of_parts(Similarity::kEuclidean));
+    const std::vector<WeightedPart> all = weighted(parts);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      suggestion_.parts[i].score = score_of(imbalances(std::span(all).first(i + 1), predicted_));
+    }
+    return {};
+  }
+
+  // `parts` are the distances of those of the suggestion.
+  std::vector<WeightedPart> weighted(std::span<const Part> parts) const {
+    std::vector<WeightedPart> found;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const SuggestedPart& part = suggestion_.parts[i];
+      const double spread = groups_[part.group].candidates[part.code].spread;
+      found.push_back({&parts[i], part.factor * std::sqrt(spread)});
+    }
+    return found;
+  }
+
+  // The standardized plain code of every sense, all elements with the same weight; empty if a sense
+  // has none.
+  std::vector<SuggestedPart> plain_parts() const {
+    std::vector<SuggestedPart> parts;
+    for (const std::size_t sense : channels_with(ChannelRole::kSense)) {
+      const std::optional<std::size_t> code = plain_code(groups_[sense].candidates);
+      if (!code) return {};
+      parts.push_back({sense, *code, 1.0, 1.0, 1.0});
+    }
+    return parts;
   }
 
   const SuggestionParameters& parameters_;
   const SuggestionOptions& options_;
   const Recording& whole_;
+  bool has_frames_;      // whether an exploration has several
   Recording recording_;  // the explorations that are compared, without labels
   RecordingLayout layout_;
   std::optional<std::size_t> speed_;
@@ -385,7 +521,8 @@ const Declarations<SuggestionParameters>& SuggestionParameters::declarations() {
                "Maximum number of combinations that are compared; not in the papers.")
           .add("explorations", &P::explorations, "", Range::between(2, 4096),
                "Maximum number of explorations that are compared; of more, that many are drawn at "
-               "random.")
+               "random. Automatic: 200, or 500 if explorations have one frame, as the rows of a "
+               "table.")
           .add("candidates", &P::candidates, "", Range::between(1, 1000),
                "Number of the best codes of each sense that are combined with other senses.")
           .add("products", &P::products, "", Range::between(0, 1000),
@@ -397,10 +534,11 @@ const Declarations<SuggestionParameters>& SuggestionParameters::declarations() {
                "equally good ones is used.")
           .add("least_gain", &P::least_gain, "", Range::between(0, 1),
                "Least decrease of the score for which a further part is added.")
-          .add("least_side", &P::least_side, "neurons", Range::between(1, 40),
-               "Least number of rows and of columns of the map, which has at least two neurons for "
-               "each exploration; automatic: 15 as in the papers, or 1 if explorations have one "
-               "frame, as the rows of a table.")
+          .add(
+              "least_side", &P::least_side, "neurons", Range::between(1, 40),
+              "Least number of rows and of columns of the map, which otherwise has at most as many "
+              "neurons as explorations to learn; automatic: 15 as in the papers, or 1 if "
+              "explorations have one frame, as the rows of a table.")
           .add("seed", &P::seed, "", Range::between(0, 1e15),
                "Seed of the draw of explorations, if there are more than are compared.");
   return declared;

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "maps/training/size_checks.h"
 #include "somato/core/parameter.h"
 #include "somato/core/progress.h"
 #include "somato/core/result.h"
 #include "somato/core/value.h"
 #include "somato/graph/system_description.h"
+#include "somato/maps/som_parameters.h"
 #include "somato/recording/format.h"
 #include "somato/recording/recording.h"
 
@@ -21,7 +23,7 @@ struct SuggestionParameters {
   std::string name = "suggested";
   std::string label = "object";
   std::size_t budget = 2000;
-  std::size_t explorations = 200;
+  std::optional<std::size_t> explorations;
   std::size_t candidates = 3;
   std::size_t products = 12;
   std::size_t elements = 20000;
@@ -74,6 +76,13 @@ struct SuggestedPart {
   double score = 1.0;    ///< The score of the combination up to this part.
 };
 
+/// A choice at the end of the search, and what was compared with it.
+struct SuggestedComparison {
+  std::string name;  ///< Such as "the plain standardized vector".
+  double score = 1.0;
+  bool is_chosen = false;
+};
+
 /// A system for a recording, selected without labels.
 struct Suggestion {
   SuggestionParameters parameters;
@@ -82,6 +91,9 @@ struct Suggestion {
   std::vector<std::string> senses;
   std::vector<SuggestedGroup> groups;
   std::vector<SuggestedPart> parts;
+  std::vector<SuggestedComparison> comparisons;  ///< The combination, the plain vector, Manhattan.
+  Similarity similarity = Similarity::kEuclidean;  ///< Of the map, or Manhattan.
+  MeasuredSize size;             ///< Without checks if 'least_side' decides alone.
   std::size_t combinations = 0;  ///< The number that was compared.
   bool nothing_related = false;  ///< No sense was predicted better than by chance; all are kept.
   SystemDescription system;

@@ -10,13 +10,12 @@
 #include "base/files/toml_file.h"
 #include "somato/core/value.h"
 #include "studies/description/changed_keys.h"
+#include "studies/suggestion/suggested_system.h"
 
 namespace somato {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kMostLeftOut = 30;  // explorations, for a study in which each is left out
 
 // A name from a recording, in quotes and without line ends.
 std::string quoted(const std::string& name) {
@@ -113,6 +112,30 @@ std::string about_parts(const Suggestion& suggestion) {
   return text;
 }
 
+std::string about_comparisons(const Suggestion& suggestion) {
+  if (suggestion.comparisons.empty()) return {};
+  std::string text =
+      "# The plain vector is replaced only by a combination that is better by more than one\n"
+      "# standard error, and Euclidean by Manhattan distance likewise:\n";
+  for (const SuggestedComparison& each : suggestion.comparisons) {
+    text += fmt::format("#   {}: score {:.3f}{}\n", each.name, each.score,
+                        each.is_chosen ? ", chosen" : "");
+  }
+  return text + "#\n";
+}
+
+std::string about_size(const Suggestion& suggestion) {
+  if (suggestion.size.checks.empty()) return {};
+  std::string text =
+      "# Neurons, doubled until twice as many do not clearly lower the mean distance of each "
+      "fifth\n"
+      "# exploration from a map of the others:\n";
+  for (const SizeCheck& check : suggestion.size.checks) {
+    text += fmt::format("#   {}: {:.4g}\n", plural(check.neurons, "neuron"), check.error);
+  }
+  return text + "#\n";
+}
+
 std::string names_of_senses(const Suggestion& suggestion) {
   std::string names;
   for (const std::string& sense : suggestion.senses) {
@@ -143,7 +166,8 @@ std::string heading_of(const Suggestion& suggestion) {
         "# explorations are required.\n#\n";
   }
   text += fmt::format("# Parts, after {}:\n", plural(suggestion.combinations, "combination")) +
-          about_parts(suggestion) + "#\n# Channels and the scores of their codes:\n";
+          about_parts(suggestion) + "#\n" + about_comparisons(suggestion) + about_size(suggestion) +
+          "# Channels and the scores of their codes:\n";
   for (std::size_t group = 0; group < suggestion.groups.size(); ++group) {
     text += about_group(suggestion, group);
   }
@@ -166,8 +190,12 @@ std::string own_settings(const Suggestion& suggestion) {
   return fmt::format(
       "label = {}  # measures accuracy; it did not affect the suggestion\nprotocols = [\"{}\"]\n{}",
       quoted(suggestion.parameters.label), leave_out ? "leave_one_out" : "k_folds",
-      leave_out ? ""
-                : "folds = 5\nfold_choice = \"blocks\"  # consecutive explorations together\n");
+      leave_out
+          ? ""
+          : fmt::format("folds = {}
+fold_choice = \"blocks\"  # consecutive explorations together
+",
+                        kFolds));
 }
 
 std::string study_of(const Suggestion& suggestion, const Table& like) {
@@ -246,6 +274,14 @@ std::string to_json(const Suggestion& suggestion) {
   for (const SuggestedPart& part : suggestion.parts) {
     json["parts"].push_back(json_of(suggestion, part));
   }
+  for (const SuggestedComparison& each : suggestion.comparisons) {
+    json["comparisons"].push_back(
+        {{"name", each.name}, {"score", each.score}, {"chosen", each.is_chosen}});
+  }
+  for (const SizeCheck& check : suggestion.size.checks) {
+    json["sizes"].push_back({{"neurons", check.neurons}, {"error", check.error}});
+  }
+  json["similarity"] = choice_name(suggestion.similarity);
   for (const SuggestedGroup& group : suggestion.groups) {
     json["groups"].push_back(json_of(suggestion, group));
   }

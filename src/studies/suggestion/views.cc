@@ -1,6 +1,7 @@
 #include "studies/suggestion/views.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace somato {
 namespace {
@@ -31,6 +32,18 @@ Channel seen_in(const Channel& channel, View view) {
 }
 
 }  // namespace
+
+Samples seen_in(const Samples& vectors, View view) {
+  if (vectors.is_sparse()) return vectors;
+  const Rows chosen = rows_of(vectors.size(), view);
+  Matrix<float> seen(vectors.count(), (chosen.end - chosen.begin + chosen.step - 1) / chosen.step);
+  for (std::size_t i = 0; i < vectors.count(); ++i) {
+    for (std::size_t k = 0; k < seen.columns(); ++k) {
+      seen(i, k) = vectors[i].values[chosen.begin + k * chosen.step];
+    }
+  }
+  return Samples(std::move(seen));
+}
 
 Recording seen_in(const Recording& recording, View view) {
   Recording seen;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "somato/core/samples.h"
 #include "somato/recording/recording.h"
 
 namespace somato {
@@ -42,5 +43,10 @@ inline constexpr std::array<Split, 4> kSplits{Split{View::kOdd, View::kEven},
 /// middle belongs to both halves. A single frame belongs to every view. Channels keep their rates,
 /// so that frequencies are relative to the number of frames; times are removed.
 Recording seen_in(const Recording& recording, View view);
+
+/// The vectors with only the elements of the view, divided as the frames of an exploration are: for
+/// senses whose explorations have one frame. Vectors of a single element, and sparse ones, belong
+/// to every view.
+Samples seen_in(const Samples& vectors, View view);
 
 }  // namespace somato

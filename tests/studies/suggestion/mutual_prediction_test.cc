@@ -102,5 +102,49 @@ TEST(MutualPrediction, TheScoreIsTheMean) {
   EXPECT_DOUBLE_EQ(score_of(std::vector<double>{0.5, 1.0, 0.0}), 0.5);
 }
 
+TEST(MutualPrediction, TheScoreIsTheMeanErrorIfAllSensesAreUsed) {
+  const Part a = random_part({0}, 1);
+  const Part b = random_part({1}, 2);
+  const std::vector<Neighbourhoods> senses{ranks_of(random_part({0}, 3)), ranks_of(b)};
+  const std::vector<WeightedPart> parts{{&a, 0.5}, {&b, 2.0}};
+  const std::vector<double> errors = errors_of(parts, senses);
+  ASSERT_EQ(errors.size(), kCount);
+  EXPECT_NEAR(score_of(errors), score_of(imbalances(parts, senses)), 1e-12);
+}
+
+// Unlike imbalances(), for which the ranks of whole explorations are easier to predict.
+TEST(MutualPrediction, ErrorsOfASenseThatIsNotUsedAreThoseOfItsHalves) {
+  const Part a = random_part({1}, 1);
+  const std::vector<Neighbourhoods> senses{ranks_of(random_part({0}, 2))};
+  const std::vector<WeightedPart> parts{{&a, 1.0}};
+  const auto nearest = nearest_others(a.distances[View::kWhole]);
+  std::vector<double> expected(kCount, 0.0);
+  for (const Split& split : kSplits) {
+    for (std::size_t i = 0; i < kCount; ++i) {
+      expected[i] += 2.0 / kCount * double{senses[0].ranks[split.to](i, nearest[i])} / 4.0;
+    }
+  }
+  const std::vector<double> errors = errors_of(parts, senses);
+  for (std::size_t i = 0; i < kCount; ++i) EXPECT_NEAR(errors[i], expected[i], 1e-12);
+}
+
+// The weight is a factor of the vectors, and so of their Manhattan distances.
+TEST(MutualPrediction, ManhattanDistancesAreAddedWithTheirWeights) {
+  Part a = random_part({1}, 1);
+  Part b = random_part({2}, 2);
+  a.similarity = b.similarity = Similarity::kManhattan;
+  const std::vector<Neighbourhoods> senses{ranks_of(random_part({0}, 3))};
+  Part both{{1, 2}, a.distances};
+  for (const View view : kAllViews) {
+    for (std::size_t i = 0; i < kCount * kCount; ++i) {
+      both.distances[view].values()[i] =
+          2.0F * a.distances[view].values()[i] + 0.5F * b.distances[view].values()[i];
+    }
+  }
+  const std::vector<WeightedPart> parts{{&a, 2.0}, {&b, 0.5}};
+  const std::vector<WeightedPart> sum{{&both, 1.0}};
+  EXPECT_EQ(imbalances(parts, senses), imbalances(sum, senses));
+}
+
 }  // namespace
 }  // namespace somato

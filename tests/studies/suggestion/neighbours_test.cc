@@ -34,6 +34,19 @@ TEST(Neighbours, SparseSamplesHaveTheDistancesOfDenseOnes) {
   EXPECT_EQ(squared_distances(sparse, 1), Matrix<float>(3, 3, {0, 9, 4, 9, 0, 13, 4, 13, 0}));
 }
 
+TEST(Neighbours, ManhattanDistancesAreSumsOfMagnitudes) {
+  const Samples dense(Matrix<float>(3, 2, {0, 0, 3, -4, -1, 2}));
+  EXPECT_EQ(manhattan_distances(dense, 2), Matrix<float>(3, 3, {0, 7, 3, 7, 0, 10, 3, 10, 0}));
+}
+
+TEST(Neighbours, SparseSamplesHaveTheManhattanDistancesOfDenseOnes) {
+  const Samples sparse = Samples::from_signals({Signal::sparse({5}, {1, 3}, {2, -1}),
+                                                Signal::sparse({5}, {0, 1, 4}, {1, -2, 3}),
+                                                Signal::sparse({5}, {}, {})});
+  // 1 + 4 + 1 + 3, then the sums of the magnitudes
+  EXPECT_EQ(manhattan_distances(sparse, 1), Matrix<float>(3, 3, {0, 9, 3, 9, 0, 6, 3, 6, 0}));
+}
+
 // The mean is 7 / 4; the squared distances from it add up to 0 + 1 + 9 + 9 - 49 / 4 = 27 / 4.
 TEST(Neighbours, SpreadIsTheMeanSquaredDistanceFromTheMean) {
   EXPECT_DOUBLE_EQ(spread_of(squared_distances(on_a_line(), 1)), 27.0 / 16.0);

@@ -38,6 +38,18 @@ TEST(Representation, AStandardizationIsFittedToWholeExplorations) {
   EXPECT_EQ(numbers(found[0].vectors[View::kSecond]), (std::vector<float>{5, 1}));
 }
 
+TEST(Representation, ASingleFrameIsSeenByItsElements) {
+  Recording frames = testing::frames_as_given("touch", {{0}, {0}});
+  frames.explorations[0].channels[0].frames = Matrix<float>(1, 3, {1, 2, 3});
+  frames.explorations[1].channels[0].frames = Matrix<float>(1, 3, {3, 2, 7});
+  const Code last = codes_of({{}, {"touch"}}, facts_of(frames, false))[0];
+  const auto found =
+      represent(all_views_of(frames), last, {Scaling::kStandardized}, 100, 1).value();
+  EXPECT_EQ(numbers(found[0].vectors[View::kWhole]), (std::vector<float>{-1, 0, -1, 1, 0, 1}));
+  EXPECT_EQ(numbers(found[0].vectors[View::kEven]), (std::vector<float>{0, 0}));
+  EXPECT_EQ(numbers(found[0].vectors[View::kFirst]), (std::vector<float>{-1, 0, 1, 0}));
+}
+
 TEST(Representation, LongVectorsAreRefused) {
   const Recording frames = testing::frames_as_given("touch", {{1, 3}, {2, 2}});
   const Code curve = codes_of({{}, {"touch"}}, facts_of(frames, false))[3];

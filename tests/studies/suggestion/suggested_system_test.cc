@@ -47,15 +47,48 @@ TEST(SuggestedSystem, SeveralPartsAreScaledAndConcatenated) {
   const std::vector<CandidateGroup> groups{group_of("touch", recording, 0),
                                            group_of("joints", recording, 1)};
   Suggestion suggestion;
-  suggestion.explorations = 1000;  // 2000 neurons would have a side of 45
-  suggestion.parts = {{1, 0, 1.0, 0.123456, 0.1}, {0, 0, 2.0, 1.0, 0.1}};
+  suggestion.explorations = 1000;  // 800 are learned, more than 28 x 28
+  suggestion.parts = {{1, 0, 1.0, 0.123456, 0.1}, {0, 0, 2.0, 0.5, 0.1}};
   const auto system = system_of(suggestion, groups);
   EXPECT_EQ(names_of(system),
             (Names{"joints", "last_of_joints", "unit_last_of_joints", "part_of_unit_last_of_joints",
                    "touch", "last_of_touch", "unit_last_of_touch", "part_of_unit_last_of_touch",
                    "vector", "map"}));
   EXPECT_EQ(setting_of(system.modules[3], "factor"), Value{0.1234});
-  EXPECT_EQ(setting_of(system.modules.back(), "columns"), Value{std::int64_t{40}});
+  EXPECT_EQ(setting_of(system.modules.back(), "columns"), Value{std::int64_t{28}});
+  EXPECT_EQ(setting_of(system.modules.back(), "iterations"), Value{std::int64_t{78400}});
+}
+
+TEST(SuggestedSystem, APartWithTheFactorOneIsNotScaled) {
+  const Recording recording = testing::made_senses(2, 2, {{"touch", {0, 1}}, {"joints", {0, 1}}});
+  const std::vector<CandidateGroup> groups{group_of("touch", recording, 0),
+                                           group_of("joints", recording, 1)};
+  Suggestion suggestion;
+  suggestion.explorations = 4;
+  suggestion.parts = {{0, 0, 1.0, 1.0, 0.1}, {1, 0, 1.0, 1.0, 0.1}};
+  suggestion.similarity = Similarity::kManhattan;
+  const auto system = system_of(suggestion, groups);
+  EXPECT_EQ(names_of(system), (Names{"touch", "last_of_touch", "unit_last_of_touch", "joints",
+                                     "last_of_joints", "unit_last_of_joints", "vector", "map"}));
+  EXPECT_EQ(setting_of(system.modules.back(), "similarity"), Value{std::string("manhattan")});
+}
+
+TEST(SuggestedSystem, EveryFifthOrASingleExplorationIsNotLearned) {
+  EXPECT_EQ(learned_in_fold(2), 1U);
+  EXPECT_EQ(learned_in_fold(30), 29U);
+  EXPECT_EQ(learned_in_fold(31), 24U);  // the largest fold has seven
+  EXPECT_EQ(learned_in_fold(100), 80U);
+}
+
+TEST(SuggestedSystem, TheMapHasAtMostAsManyNeuronsAsItLearnsExplorations) {
+  for (const std::size_t explorations : {2U, 7U, 30U, 31U, 100U, 511U, 2133U}) {
+    const std::size_t side = side_of_map(explorations, 1, 1.0);
+    EXPECT_LE(side * side, learned_in_fold(explorations));
+    EXPECT_GT((side + 1) * (side + 1), learned_in_fold(explorations));
+  }
+  EXPECT_EQ(side_of_map(100, 1, 0.25), 4U);    // 20 neurons
+  EXPECT_EQ(side_of_map(100, 15, 1.0), 15U);   // the least
+  EXPECT_EQ(side_of_map(12500, 1, 1.0), 70U);  // 50 x 100 neurons
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ double accuracy_of(const Suggestion& suggestion, const Recording& recording) {
   study.study.protocols = {Protocol::kLeaveOneOut};
   for (Table::Entry& entry : study.system.modules.back().settings.entries) {
     if (entry.name == "iterations") entry.content = Value{std::int64_t{1}};
+    if (entry.name == "tolerance") entry.content = Value{0.0};
   }
   const auto outcome = run_study(study, recording);
   if (!outcome) ADD_FAILURE() << to_string(outcome.error());
@@ -74,7 +75,7 @@ TEST(Suggestion, ComplementarySensesAreBothKept) {
   const Suggestion found = suggested(recording);
   EXPECT_GT(weight_of(found, "shape"), 0.0);
   EXPECT_GT(weight_of(found, "material"), 0.0);
-  EXPECT_EQ(accuracy_of(found, recording), 1.0);
+  EXPECT_GE(accuracy_of(found, recording), 0.95);  // 1 of 36 is 0.028; 0.33 for one sense
 }
 
 TEST(Suggestion, ScalesOfSensesDoNotMatter) {
@@ -89,7 +90,7 @@ TEST(Suggestion, ScalesOfSensesDoNotMatter) {
     EXPECT_EQ(found.parts[i].weight, equal.parts[i].weight);
     EXPECT_EQ(found.parts[i].group, equal.parts[i].group);
   }
-  EXPECT_EQ(accuracy_of(found, scaled), 1.0);
+  EXPECT_GE(accuracy_of(found, scaled), 0.95);
 }
 
 // One element is noise a thousand times as large as the others.
@@ -224,6 +225,68 @@ TEST(Suggestion, RecordingsThatCannotBeComparedAreRefused) {
   SuggestionParameters parameters;
   parameters.weights = {};
   EXPECT_EQ(error_of(made_senses(3, 2, {{"touch", kSix}}), parameters).kind, ErrorKind::kUsage);
+}
+
+// As a table: one channel of a frame, whose elements have different units.
+Recording table_of(std::size_t rows, const std::vector<double>& scales) {
+  std::vector<std::size_t> kinds(6);
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = i;
+  Recording table = made_senses(6, rows / 6, {{"columns", kinds, 0.3, 0.0, 1.0, scales.size(), 1}});
+  for (Exploration& exploration : table.explorations) {
+    for (std::size_t i = 0; i < scales.size(); ++i) {
+      exploration.channels[0].frames(0, i) *= static_cast<float>(scales[i]);
+    }
+  }
+  return table;
+}
+
+// Factors that are powers of two leave the bits of standardized values.
+TEST(Suggestion, ScalesOfColumnsChangeNothing) {
+  const Suggestion plain = suggested(table_of(60, {1, 1, 1, 1}));
+  const Suggestion scaled = suggested(table_of(60, {1024, 0.125, 1, 65536}));
+  EXPECT_EQ(to_toml(scaled), to_toml(plain));
+  EXPECT_EQ(to_json(scaled), to_json(plain));
+}
+
+TEST(Suggestion, ATableHasAtMostAsManyNeuronsAsRowsToLearn) {
+  const Suggestion found = suggested(table_of(120, {1, 1, 1, 1, 1, 1}));
+  const auto& map = found.system.modules.back().settings;
+  const auto side = std::get<std::int64_t>(std::get<Value>(map.find("rows")->content).content);
+  EXPECT_LE(side * side, 96);
+  EXPECT_FALSE(found.size.checks.empty());
+}
+
+// Each row has one wild value, whose square decides the Euclidean distance.
+TEST(Suggestion, WildValuesAreComparedByManhattanDistance) {
+  Recording table = table_of(120, std::vector<double>(16, 1.0));
+  Random random(9);
+  for (Exploration& exploration : table.explorations) {
+    exploration.channels[0].frames(0, random.below(16)) += 12.0F;
+  }
+  EXPECT_EQ(suggested(table).similarity, Similarity::kManhattan);
+}
+
+TEST(Suggestion, ThePlainVectorReplacesACombinationThatIsNotClearlyBetter) {
+  const Suggestion found = suggested(made_senses(6, 5, {{"touch", kSix}, {"joints", kSix}}));
+  ASSERT_EQ(found.comparisons.size(), 3U);
+  EXPECT_NE(found.comparisons[0].is_chosen, found.comparisons[1].is_chosen);
+  if (found.comparisons[0].is_chosen) {
+    EXPECT_LT(found.comparisons[0].score, found.comparisons[1].score);
+    return;
+  }
+  for (const SuggestedPart& part : found.parts) {
+    EXPECT_EQ(found.groups[part.group].codes[part.code].scaling, "standardized");
+    EXPECT_EQ(part.factor, 1.0);
+  }
+}
+
+TEST(Suggestion, SmallAndConstantTablesAreHarmless) {
+  EXPECT_EQ(suggested(table_of(6, {1, 1})).parts.size(), 1U);
+  EXPECT_EQ(suggested(table_of(12, {1})).parts.size(), 1U);
+  EXPECT_EQ(suggested(table_of(36, {1, 0, 1})).parts.size(), 1U);  // a constant column
+  Recording equal = table_of(12, {1, 1});
+  for (std::size_t i = 1; i < 11; ++i) equal.explorations[i] = equal.explorations[0];
+  EXPECT_EQ(suggested(equal).parts.size(), 1U);
 }
 
 TEST(Suggestion, CanBeInterrupted) {

@@ -44,5 +44,19 @@ TEST(Views, KeepTheRateAndRemoveLabelsAndTimes) {
   EXPECT_NEAR(half.channels.front().rate, 10.0, 1e-9);
 }
 
+TEST(Views, ElementsAreDividedAsFramesAre) {
+  const Samples vectors(Matrix<float>(1, 5, {1, 2, 3, 4, 5}));
+  const auto seen = [&](View view) {
+    const Samples part = seen_in(vectors, view);
+    return std::vector<float>(part[0].values.begin(), part[0].values.end());
+  };
+  EXPECT_EQ(seen(View::kWhole), (std::vector<float>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(seen(View::kOdd), (std::vector<float>{1, 3, 5}));
+  EXPECT_EQ(seen(View::kEven), (std::vector<float>{2, 4}));
+  EXPECT_EQ(seen(View::kFirst), (std::vector<float>{1, 2, 3}));
+  EXPECT_EQ(seen(View::kSecond), (std::vector<float>{3, 4, 5}));
+  EXPECT_EQ(seen_in(Samples(Matrix<float>(2, 1)), View::kEven).size(), 1U);
+}
+
 }  // namespace
 }  // namespace somato
