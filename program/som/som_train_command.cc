@@ -311,8 +311,7 @@ Result<void> train_with(const Arguments& arguments, JoinedProcesses* processes) 
   std::vector<double> offsets;
   SOMATO_TRY(auto rows, read_training_rows(arguments, processes, offsets));
   SOMATO_TRY(request.parameters.layers, agreed(read_layers(arguments, rows), processes));
-  SOMATO_TRY_VOID(
-      agreed(check_refinement(request.refinement, request.parameters), processes));
+  SOMATO_TRY_VOID(agreed(check_refinement(request.refinement, request.parameters), processes));
   SOMATO_TRY_VOID(agreed(check_refinable(request.refinement, rows), processes));
   SOMATO_TRY(auto model, agreed(start_on(arguments, request.parameters, rows), processes));
   std::uint64_t steps = 0;

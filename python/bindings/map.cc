@@ -20,9 +20,9 @@
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
 #include "somato/maps/layers.h"
+#include "somato/maps/refinement.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_quality.h"
-#include "somato/maps/refinement.h"
 #include "somato/maps/som_training.h"
 #include "systems/exchange/map_array.h"
 #include "systems/exchange/map_import.h"
@@ -257,8 +257,7 @@ Map Map::learned(const SampleRows& rows, std::size_t threads) const {
 }
 
 nb::tuple Map::refined(const SampleRows& rows, const Numbers<std::int64_t>& classes,
-                       const nb::dict& parameters, std::size_t threads,
-                       nb::object progress) const {
+                       const nb::dict& parameters, std::size_t threads, nb::object progress) const {
   check_rows(rows);
   const RefinementParameters refinement = checked_refinement(parameters);
   std::vector<std::optional<std::size_t>> of_rows(rows.count());
@@ -531,13 +530,13 @@ void bind_map(nb::module_& module) {
       "refinement_parameters",
       [] { return descriptions_of(RefinementParameters::declarations().infos()); },
       "The parameters of a refinement by labels, as of a SOM.");
-  module.def("check_refinement",
-             [](const nb::dict& refinement, const nb::dict& som) {
-               value_or_throw(check_refinement(checked_refinement(refinement),
-                                               checked_parameters(som)));
-             },
-             nb::arg("refinement"), nb::arg("som"),
-             "Refuses parameters with which a map cannot be refined.");
+  module.def(
+      "check_refinement",
+      [](const nb::dict& refinement, const nb::dict& som) {
+        value_or_throw(check_refinement(checked_refinement(refinement), checked_parameters(som)));
+      },
+      nb::arg("refinement"), nb::arg("som"),
+      "Refuses parameters with which a map cannot be refined.");
   module.def("available_threads", &available_threads, "Threads that the machine runs at once.");
   nb::class_<Map>(module, "Map", "A trained map, as model files contain it.")
       .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows"), nb::arg("threads"),

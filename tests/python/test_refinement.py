@@ -66,10 +66,10 @@ def measured_order(weights, X, columns):
 @pytest.mark.parametrize("similarity", ["euclidean", "manhattan"])
 def test_more_rows_are_recognized_also_new_ones(stripes, similarity):
     X, y = stripes
-    plain = SOM(**TWO_CLASSES, similarity=similarity).fit(X[::2], y[::2])
-    refined = SOM(**TWO_CLASSES, similarity=similarity, refine="glvq").fit(X[::2], y[::2])
-    assert refined.score(X[::2], y[::2]) > plain.score(X[::2], y[::2]) + 0.05
-    assert refined.score(X[1::2], y[1::2]) > plain.score(X[1::2], y[1::2]) + 0.05
+    plain = SOM(**TWO_CLASSES, similarity=similarity).fit(X[:150], y[:150])
+    refined = SOM(**TWO_CLASSES, similarity=similarity, refine="glvq").fit(X[:150], y[:150])
+    assert refined.score(X[:150], y[:150]) > plain.score(X[:150], y[:150]) + 0.05
+    assert refined.score(X[150:], y[150:]) > plain.score(X[150:], y[150:]) + 0.05
 
 
 def test_the_order_before_and_after_is_that_of_the_maps(stripes):
@@ -125,7 +125,7 @@ def test_the_program_refines_to_the_same_model(somato, tmp_path, stripes, more):
     mine = SOM(**settings).fit(X, y)
     mine.save(tmp_path / "mine.somato")
     assert (tmp_path / "mine.somato").read_bytes() == (tmp_path / "map.somato").read_bytes()
-    printed = dict(line.split() for line in getattr(text, "stdout", text).splitlines()[1:])
+    printed = dict(line.split() for line in text.splitlines() if len(line.split()) == 2)
     for name in ("quantization_error", "topographic_error", "trustworthiness", "continuity"):
         for prefix, when in (("unrefined_", "before"), ("refined_", "after")):
             assert float(printed[prefix + name]) == pytest.approx(mine.refinement_[when][name], rel=1e-5)
@@ -209,9 +209,9 @@ def test_a_study_states_the_order_before_and_after(recording, tmp_path):
     for refine in ("none", "glvq"):
         path = tmp_path / f"{refine}.toml"
         path.write_text(STUDY if refine == "none" else STUDY + 'refine = "glvq"\n')
-        outcome = study(recording, path, out=tmp_path / refine)
+        outcome = study(recording, path)
         protocol = outcome.results["parts"][0]["protocols"][0]
-        metrics[refine] = {one["name"]: one["mean"] for one in protocol["metrics"]}
+        metrics[refine] = {name: one["mean"] for name, one in protocol["metrics"].items()}
     refined = metrics["glvq"]
     assert not any("refined" in name for name in metrics["none"])
     for name in ("topographic_error", "trustworthiness", "continuity"):

@@ -72,9 +72,9 @@ struct RefinedSom {
 
 /// Options of a refinement.
 struct RefinementOptions {
-  std::uint64_t seed = 1;    ///< Of the order of the samples.
-  std::size_t threads = 1;   ///< Does not affect the map.
-  Progress progress = {};    ///< In samples of all passes.
+  std::uint64_t seed = 1;   ///< Determines the order of the samples.
+  std::size_t threads = 1;  ///< Does not affect the map.
+  Progress progress = {};   ///< In samples of all passes.
 };
 
 /// Refuses (kUsage) a map whose distance the method does not know: it must be Euclidean or
@@ -92,10 +92,10 @@ Result<void> check_refinement(const RefinementParameters& parameters, const SomP
 /// itself, together with the adjacent neurons that have the same class, and the nearest neuron of
 /// another class away.
 ///
-/// `classes[i]` is the class of sample i, or none: it is then not learned. Samples need not be those
-/// of the training; elements of dense ones may be missing (NaN) and then have no effect, for maps
-/// that do not scale their inputs. The same input gives the same bits for every number of threads,
-/// instruction set and compiler.
+/// `classes[i]` is the class of sample i, or none: it is then not learned. Samples need not be
+/// those of the training; elements of dense ones may be missing (NaN) and then have no effect, for
+/// maps that do not scale their inputs. The same input gives the same bits for every number of
+/// threads, instruction set and compiler.
 ///
 /// A map of `refine = "none"` is returned as it is, with its order in both places. Errors: those of
 /// check_refinement(); kData if fewer than two classes have samples, or if samples are out of the

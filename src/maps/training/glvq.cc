@@ -130,7 +130,7 @@ void Glvq::move(std::span<const float> sample, const std::vector<KnownRun>& runs
                 std::size_t neuron, double gain) {
   for (const KnownRun& run : runs) {
     for (std::size_t d = run.first; d < run.first + run.count; ++d) {
-      const double weight = double{weights_(neuron, d)};
+      const auto weight = double{weights_(neuron, d)};
       weights_(neuron, d) = static_cast<float>(std::fma(gain, double{sample[d]} - weight, weight));
     }
   }

@@ -14,7 +14,7 @@ namespace somato {
 /// The settings of a step of GLVQ.
 struct GlvqStep {
   double learning_rate = 0.0;  ///< 0 to 0.5: no neuron then moves beyond the sample.
-  double steepness = 0.0;      ///< Of the sigmoid, above 0.
+  double steepness = 0.0;      ///< That of the sigmoid, above 0.
 };
 
 /// The classes that neurons begin with.

@@ -90,9 +90,9 @@ MapOrder order_of(const Som& som, const Samples& samples, bool incomplete, std::
 // From start to end over all passes; the learning rate falls to 0 at the end.
 GlvqStep step_at(const RefinementParameters& p, std::uint64_t done, std::uint64_t total) {
   const double part = static_cast<double>(done) / static_cast<double>(total);
-  return {p.refine_learning_rate * (1.0 - part),
-          std::fma(part, p.refine_steepness_end - p.refine_steepness_start,
-                   p.refine_steepness_start)};
+  return {
+      p.refine_learning_rate * (1.0 - part),
+      std::fma(part, p.refine_steepness_end - p.refine_steepness_start, p.refine_steepness_start)};
 }
 
 Result<void> run_passes(Glvq& glvq, const Samples& seen, const std::vector<std::size_t>& classes,
@@ -114,8 +114,7 @@ Result<void> run_passes(Glvq& glvq, const Samples& seen, const std::vector<std::
 // A copy whose weights may change, for all elements of the samples.
 Result<Som> map_for(const Som& som, const Samples& samples) {
   const bool fits = has_weights_for(som, samples);
-  SOMATO_TRY_VOID(
-      check_memory(som.parameters(), fits ? som.elements().count() : som.input_size()));
+  SOMATO_TRY_VOID(check_memory(som.parameters(), fits ? som.elements().count() : som.input_size()));
   Som changing = som;
   weights_to_change(changing);
   if (!fits) changing.store_all();
@@ -142,8 +141,8 @@ std::size_t without_neuron(const std::vector<std::size_t>& of_neuron,
 }  // namespace
 
 const std::vector<std::pair<Refinement, std::string>>& Choices<Refinement>::all() {
-  static const std::vector<std::pair<Refinement, std::string>> choices{
-      {Refinement::kNone, "none"}, {Refinement::kGlvq, "glvq"}};
+  static const std::vector<std::pair<Refinement, std::string>> choices{{Refinement::kNone, "none"},
+                                                                       {Refinement::kGlvq, "glvq"}};
   return choices;
 }
 
@@ -156,9 +155,10 @@ const Declarations<RefinementParameters>& RefinementParameters::declarations() {
                "vector quantization (Sato and Yamada, 1996), for the Euclidean and the manhattan "
                "distance. Classes are recognized better, and neighbouring neurons are less alike. "
                "The papers train without labels.")
-          .add("refine_passes", &P::refine_passes, "passes over all samples", Range::between(1, 1e6),
-               "Length of the refinement. Not given in the paper; 60 passes are no better on "
-               "grasps of 10 and 41 objects (docs/mathematics/refinement.md).")
+          .add("refine_passes", &P::refine_passes, "passes over all samples",
+               Range::between(1, 1e6),
+               "Length of the refinement. Not given in the paper; 60 passes are no better on the "
+               "grasps of 10 objects that docs/mathematics/refinement.md describes.")
           .add("refine_learning_rate", &P::refine_learning_rate, "", Range::between(0, 0.5),
                "Learning rate at the start, which falls to 0 as a line. Not given in the paper; "
                "0.05 to 0.2 are equally good on these grasps, and beyond 0.5 a neuron could pass "
@@ -199,8 +199,8 @@ Result<void> check_refinement(const RefinementParameters& parameters, const SomP
               "refine", "choose one of these as 'similarity', or leave 'refine' out");
 }
 
-Result<RefinedSom> refine_som(const Som& som, const Samples& samples,
-                              const SampleClasses& classes, const RefinementParameters& parameters,
+Result<RefinedSom> refine_som(const Som& som, const Samples& samples, const SampleClasses& classes,
+                              const RefinementParameters& parameters,
                               const RefinementOptions& options) {
   require(samples.size() == som.input_size(),
           "the samples' size differs from the map's input size");

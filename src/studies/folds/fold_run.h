@@ -78,9 +78,9 @@ struct FoldOutcome {
                                              ///< for the test samples; empty without a recall.
   std::vector<PredictionOutcome> predictions = {};  ///< For each prediction of the study.
   TrainedMap map = {};  ///< The trained map; distances only where all samples are tested by it.
-  ObjectsOutcome objects = {};    ///< Only with object_after_object.
-  NoveltyOutcome novelty = {};    ///< Only with leave_class_out.
-  TeachingOutcome teaching = {};  ///< Only with leave_class_out and taught_per_class.
+  ObjectsOutcome objects = {};        ///< Only with object_after_object.
+  NoveltyOutcome novelty = {};        ///< Only with leave_class_out.
+  TeachingOutcome teaching = {};      ///< Only with leave_class_out and taught_per_class.
   RefinementOutcome refinement = {};  ///< Only of maps that labels refine.
 
   /// Visits each field with its name in the journal.

@@ -192,11 +192,11 @@ class MetricsMaker {
   // A recall is no measure of these: they are about the map on its own sense.
   void describe_maps() {
     read_maps();
-    add_sum("quantization_error", [](const FoldOutcome& o) { return o.summed_distance; });
-    add_sum("topographic_error", [](const FoldOutcome& o) { return o.topographic_errors; });
     add_refined("topographic_error", &RefinementOutcome::topographic_errors);
     add_refined("trustworthiness", &RefinementOutcome::trustworthiness);
     add_refined("continuity", &RefinementOutcome::continuity);
+    add_sum("quantization_error", [](const FoldOutcome& o) { return o.summed_distance; });
+    add_sum("topographic_error", [](const FoldOutcome& o) { return o.topographic_errors; });
   }
 
   // The means over the folds of a measure before and after the refinement, if all maps have it.

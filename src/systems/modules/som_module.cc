@@ -79,7 +79,8 @@ Result<void> check_not_refined(const RefinementParameters& refinement) {
   return fail(ErrorKind::kUsage,
               "a map that learns in step with other modules, or from frames, cannot be refined by "
               "labels",
-              "refine", "leave 'refine' out, or give the map one input per exploration and a phase "
+              "refine",
+              "leave 'refine' out, or give the map one input per exploration and a phase "
               "of its training only");
 }
 
@@ -151,9 +152,9 @@ Result<void> SomModule::learn(const LearningPlan& plan, const TrainingInputs& ex
                                      known ? plan.known : all_values(explorations), options));
   order_.reset();
   if (is_refined()) {
-    SOMATO_TRY(auto refined,
-               refine(trained, plan,
-                      known ? plan.known.subset(plan.training) : all_values(explorations)));
+    SOMATO_TRY(
+        auto refined,
+        refine(trained, plan, known ? plan.known.subset(plan.training) : all_values(explorations)));
     trained = std::move(refined.som);
     order_ = refined.order;
   }

@@ -93,16 +93,16 @@ TEST(Glvq, AStepByHandOfAManhattanMap) {
 
 // Neurons of a row with the classes 0 0 1 1: the nearest one is neuron 1, and 0 follows.
 TEST(Glvq, AdjacentNeuronsOfTheClassFollow) {
-  Som alone = som_of_rows(1, 4, Similarity::kEuclidean, Matrix<float>(4, 1, {5, 1, 3, 7}));
-  Som together = alone;
+  Som single = som_of_rows(1, 4, Similarity::kEuclidean, Matrix<float>(4, 1, {5, 1, 3, 7}));
+  Som together = single;
   const std::vector<float> sample{0.0F};
-  Glvq(alone, {0, 0, 1, 1}, 0.0).learn(sample, 0, kStrongStep);
+  Glvq(single, {0, 0, 1, 1}, 0.0).learn(sample, 0, kStrongStep);
   Glvq(together, {0, 0, 1, 1}, 0.5).learn(sample, 0, kStrongStep);
-  EXPECT_EQ(alone.weight(0, 0), 5.0F);
-  const double gain = 1.0 - double{alone.weight(1, 0)};
+  EXPECT_EQ(single.weight(0, 0), 5.0F);
+  const double gain = 1.0 - double{single.weight(1, 0)};
   EXPECT_NEAR(together.weight(0, 0), 5.0 * (1.0 - 0.5 * gain), 1e-5);
   for (std::size_t neuron = 1; neuron < 4; ++neuron) {
-    EXPECT_EQ(together.weight(neuron, 0), alone.weight(neuron, 0));
+    EXPECT_EQ(together.weight(neuron, 0), single.weight(neuron, 0));
   }
 }
 

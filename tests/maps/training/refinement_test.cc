@@ -242,7 +242,8 @@ TEST(Refinement, RecognizesMoreSamplesAndMeasuresTheOrder) {
   const RefinementProblem problem = alternating_problem();
   RefinementParameters parameters;
   parameters.refine = Refinement::kGlvq;
-  const auto refined = refine_som(problem.som, Samples(problem.samples), problem.classes, parameters);
+  const auto refined =
+      refine_som(problem.som, Samples(problem.samples), problem.classes, parameters);
   ASSERT_TRUE(refined);
   EXPECT_GT(share_right(refined->som, problem), share_right(problem.som, problem) + 0.1);
   const SomQuality before = measure_quality(problem.som, Samples(problem.samples));
@@ -263,8 +264,8 @@ TEST(Refinement, DoesNotDependOnTheUnit) {
     Matrix<float> weights = problem.som.weights().to_matrix();
     for (float& value : samples.values()) value *= 1024.0F;
     for (float& value : weights.values()) value *= 1024.0F;
-    const auto refined = refine_som(problem.som, Samples(problem.samples), problem.classes,
-                                    glvq_parameters());
+    const auto refined =
+        refine_som(problem.som, Samples(problem.samples), problem.classes, glvq_parameters());
     const auto scaled = refine_som(Som(problem.som.parameters(), weights), Samples(samples),
                                    problem.classes, glvq_parameters());
     Matrix<float> expected = refined->som.weights().to_matrix();
@@ -286,8 +287,7 @@ TEST(Refinement, SamplesWithoutAClassHaveNoEffect) {
     }
     const Samples samples(problem.samples);
     const auto all = refine_som(problem.som, samples, problem.classes, glvq_parameters());
-    const auto some =
-        refine_som(problem.som, samples.subset(labelled), classes, glvq_parameters());
+    const auto some = refine_som(problem.som, samples.subset(labelled), classes, glvq_parameters());
     EXPECT_EQ(all->som.weights(), some->som.weights());
   }
 }
@@ -391,9 +391,9 @@ TEST(Refinement, RefusesWhatCannotBe) {
   const RefinementProblem problem = alternating_problem();
   const Samples samples(problem.samples);
   EXPECT_THROW(refine_som(problem.som, samples, {0, 1}, glvq_parameters()), InvalidArgument);
-  EXPECT_THROW(refine_som(problem.som, Samples(Matrix<float>(200, 3)), problem.classes,
-                          glvq_parameters()),
-               InvalidArgument);
+  EXPECT_THROW(
+      refine_som(problem.som, Samples(Matrix<float>(200, 3)), problem.classes, glvq_parameters()),
+      InvalidArgument);
   RefinementParameters parameters = glvq_parameters();
   parameters.refine_learning_rate = 0.6;
   EXPECT_THROW(refine_som(problem.som, samples, problem.classes, parameters), InvalidArgument);

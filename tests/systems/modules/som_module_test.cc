@@ -1,4 +1,4 @@
-// A module of type som whose map labels refine.
+#include "systems/modules/som_module.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,9 @@ namespace {
 
 std::string refined_text(const std::string& settings) {
   return testing::channels({"joints"}) + testing::module("closed", "last", "input = \"joints\"\n") +
-         testing::module("map", "som",
-                         "input = \"closed\"\nrows = 3\ncolumns = 3\niterations = 200\n" + settings);
+         testing::module(
+             "map", "som",
+             "input = \"closed\"\nrows = 3\ncolumns = 3\niterations = 200\n" + settings);
 }
 
 const std::string kRefine = "refine = \"glvq\"\nrefine_passes = 5\n";
@@ -55,8 +56,8 @@ TEST(SomRefinement, IsThatOfTheTrainedMap) {
   RefinementParameters parameters;
   parameters.refine = Refinement::kGlvq;
   parameters.refine_passes = 5;
-  const auto expected = refine_som(*som_of(plain, 2), Samples(last),
-                                   {classes.begin(), classes.end()}, parameters);
+  const auto expected =
+      refine_som(*som_of(plain, 2), Samples(last), {classes.begin(), classes.end()}, parameters);
   EXPECT_EQ(som_of(refined, 2)->weights(), expected->som.weights());
   EXPECT_NE(som_of(refined, 2)->weights(), som_of(plain, 2)->weights());
   ASSERT_NE(refined_order_of(refined, 2), nullptr);
