@@ -13,6 +13,7 @@
 #include "recordings/bags/bag_description.h"
 #include "somato/bodies/object_table.h"
 #include "somato/maps/clusters.h"
+#include "somato/maps/refinement.h"
 #include "somato/maps/som_measures.h"
 #include "somato/maps/som_parameters.h"
 #include "somato/recording/csv_import.h"
@@ -173,6 +174,10 @@ std::string reference_page(const std::vector<Command>& commands) {
       "## Maps\n\nKeys of a module of type `som`; those of other types are listed with "
       "[them](modules.md).\n\n";
   add_table<SomParameters>(page, "map");
+  page +=
+      "## Refinement of maps by labels\n\nFurther keys of a module of type `som`, and flags of "
+      "`somato som train`. [refinement.md](../mathematics/refinement.md) gives the equations.\n\n";
+  add_table<RefinementParameters>(page, "refinement");
   page +=
       "## Measures and clusters of maps\n\nFlags of `somato som quality` and `somato som cluster`; "
       "they are not keys of a file. [measures.md](../mathematics/measures.md) gives the "

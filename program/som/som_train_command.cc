@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -18,6 +20,7 @@
 #include "som/map_and_rows.h"
 #include "som/processes.h"
 #include "somato/maps/layers.h"
+#include "somato/maps/refinement.h"
 #include "somato/maps/som_training.h"
 #include "systems/model/complete_inputs.h"
 #include "terminal/terminal.h"
@@ -99,6 +102,34 @@ Result<SomParameters> read_som_parameters(const Arguments& arguments) {
   return parameters;
 }
 
+// Parameters that the command line gives without an effect are an error.
+Result<RefinementParameters> read_refinement(const Arguments& arguments,
+                                             const JoinedProcesses* processes) {
+  SOMATO_TRY(const auto refinement, read_flags<RefinementParameters>(arguments));
+  for (const std::string& name : RefinementParameters::declarations().names()) {
+    const std::string reason = reason_without_effect(refinement, name);
+    if (reason.empty() || !arguments.has(flag_of(name).substr(2))) continue;
+    return fail(without_effect(name, reason, flag_of(name)));
+  }
+  if (processes == nullptr || refinement.refine == Refinement::kNone) return refinement;
+  return fail(ErrorKind::kUsage, "several processes cannot share a refinement by labels",
+              "--refine", "start one process");
+}
+
+Result<void> check_refinable(const RefinementParameters& refinement, const RowData& rows) {
+  if (refinement.refine == Refinement::kNone) return {};
+  if (!rows.labelled()) {
+    return fail(ErrorKind::kUsage, "a refinement needs the labels of the rows", "--refine",
+                "name their file or their column by --labels or --label-column");
+  }
+  if (rows.in_memory()) return {};
+  return fail(ErrorKind::kSystem,
+              fmt::format("a refinement needs all rows in memory, and {} x {} numbers exceed the "
+                          "memory for rows",
+                          rows.count, rows.size()),
+              rows.path, "use a larger --memory");
+}
+
 Result<void> check_training(const SomParameters& parameters, const RowData& rows) {
   if (rows.in_memory() || parameters.training == Training::kBatch) return {};
   return fail(
@@ -112,6 +143,7 @@ Result<void> check_training(const SomParameters& parameters, const RowData& rows
 // The part of the command line that does not depend on the rows.
 struct TrainingRequest {
   SomParameters parameters;
+  RefinementParameters refinement;
   TrainingOptions options;
 };
 
@@ -135,7 +167,8 @@ Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses
     return fail(ErrorKind::kUsage, "several processes cannot share the work of this flag",
                 "--standardize", "standardize the rows before, or start one process");
   }
-  TrainingRequest request{parameters, {threads, terminal_progress("training")}};
+  SOMATO_TRY(const auto refinement, read_refinement(arguments, processes));
+  TrainingRequest request{parameters, refinement, {threads, terminal_progress("training")}};
   request.options.checkpoint = arguments.text("checkpoint");
   request.options.processes = processes;
   return request;
@@ -160,6 +193,20 @@ Result<Som> train_map(const TrainingRequest& request, const SomModel& model, con
                    options);
 }
 
+// The order before and after; nothing without a refinement.
+Result<std::optional<RefinedOrder>> refine_map(const TrainingRequest& request, SomModel& model,
+                                               const RowData& rows) {
+  if (request.refinement.refine == Refinement::kNone) return std::nullopt;
+  const auto& classes = rows.classes.of_sample;
+  const RefinementOptions options{model.som.parameters().seed, request.options.threads,
+                                  terminal_progress("refinement")};
+  SOMATO_TRY(auto refined,
+             refine_som(model.som, model.prepare(*rows.in_memory()),
+                        {classes.begin(), classes.end()}, request.refinement, options));
+  model.som = std::move(refined.som);
+  return refined.order;
+}
+
 Result<void> save_trained(const Arguments& arguments, const SomModel& model,
                           const TrainingOptions& options) {
   if (options.processes && !options.processes->is_first()) return {};
@@ -182,14 +229,36 @@ void add_steps(SomModel& model, std::uint64_t steps) {
   if (p.is_length_automatic() && p.training == Training::kOnline) model.samples_seen = steps;
 }
 
+// Ranks are not measured for few samples.
+std::string before_and_after(const std::string& name, double before, double after) {
+  if (std::isnan(before)) return {};
+  return fmt::format("unrefined_{0} {1:.6g}\nrefined_{0} {2:.6g}\n", name, before, after);
+}
+
+std::string order_text(const std::optional<RefinedOrder>& order) {
+  if (!order) return {};
+  const auto& [before, after, named_by_nearest, classes_without_neuron] = *order;
+  std::string text =
+      before_and_after("quantization_error", before.quantization_error, after.quantization_error) +
+      before_and_after("topographic_error", before.topographic_error, after.topographic_error) +
+      before_and_after("trustworthiness", before.trustworthiness, after.trustworthiness) +
+      before_and_after("continuity", before.continuity, after.continuity);
+  if (classes_without_neuron > 0) {
+    text += fmt::format("classes_without_neuron {}\n", classes_without_neuron);
+  }
+  return text;
+}
+
 void print_trained(const std::string& path, const Som& som, const RowData& rows,
-                   const SomQuality& quality, std::uint64_t steps) {
+                   const SomQuality& quality, std::uint64_t steps,
+                   const std::optional<RefinedOrder>& order) {
   const std::string size = fmt::format(
       "{}: {} x {} neurons trained on {} of {}\n", path, som.grid().rows(), som.grid().columns(),
       counted(rows.count, "sample"), counted(rows.size(), "feature"));
   const std::string errors = fmt::format("quantization_error {:.6g}\ntopographic_error {:.6g}\n",
                                          quality.quantization_error, quality.topographic_error);
-  print_summary(size + columns_and_filled(rows) + steps_text(som.parameters(), steps) + errors);
+  print_summary(size + columns_and_filled(rows) + steps_text(som.parameters(), steps) + errors +
+                order_text(order));
 }
 
 // A model without its map, ready to train it on the rows.
@@ -242,16 +311,19 @@ Result<void> train_with(const Arguments& arguments, JoinedProcesses* processes) 
   std::vector<double> offsets;
   SOMATO_TRY(auto rows, read_training_rows(arguments, processes, offsets));
   SOMATO_TRY(request.parameters.layers, agreed(read_layers(arguments, rows), processes));
+  SOMATO_TRY_VOID(agreed(check_refinement(request.refinement, request.parameters), processes));
+  SOMATO_TRY_VOID(agreed(check_refinable(request.refinement, rows), processes));
   SOMATO_TRY(auto model, agreed(start_on(arguments, request.parameters, rows), processes));
   std::uint64_t steps = 0;
   SOMATO_TRY(auto som, train_map(request, model, rows, steps));
   model.som = std::move(som);
   add_steps(model, steps);
+  SOMATO_TRY(const auto order, refine_map(request, model, rows));
   SOMATO_TRY(const auto quality, measure_rows(model, rows, request.options.threads, processes));
   add_labels(model, rows.classes, quality.winners);
   add_offsets(model, offsets);
   SOMATO_TRY_VOID(agreed(save_trained(arguments, model, request.options), processes));
-  print_trained(arguments.text("output"), model.som, rows, quality, steps);
+  print_trained(arguments.text("output"), model.som, rows, quality, steps, order);
   return {};
 }
 
@@ -276,6 +348,10 @@ Command som_train_command() {
   flags.push_back(layers_flag());
   flags.push_back(threads_flag());
   flags.push_back(memory_flag());
+  std::vector<ParameterInfo> parameters = SomParameters::declarations().infos();
+  for (ParameterInfo& info : RefinementParameters::declarations().infos()) {
+    parameters.push_back(std::move(info));
+  }
   return {
       "som train",
       "Train a map on a table of numbers",
@@ -283,7 +359,7 @@ Command som_train_command() {
           "NPY, NPZ or MAT file, or text with one sample per line and numbers separated by commas, "
           "semicolons, tabs or blanks")},
       std::move(flags),
-      SomParameters::declarations().infos(),
+      std::move(parameters),
       train,
       "map"};
 }

@@ -20,6 +20,7 @@
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
 #include "somato/maps/layers.h"
+#include "somato/maps/refinement.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_quality.h"
 #include "somato/maps/som_training.h"
@@ -76,6 +77,35 @@ SomParameters checked_parameters(const nb::dict& all_values) {
     throw Failure{without_effect(parameter.info.name, reason, kPlace)};
   }
   return parameters;
+}
+
+RefinementParameters checked_refinement(const nb::dict& values) {
+  const auto parameters = parameters_of<RefinementParameters>(values, kPlace);
+  const RefinementParameters defaults;
+  for (const auto& parameter : RefinementParameters::declarations().all()) {
+    if (parameter.read(parameters) == parameter.read(defaults)) continue;
+    const std::string reason = reason_without_effect(parameters, parameter.info.name);
+    if (!reason.empty()) throw Failure{without_effect(parameter.info.name, reason, kPlace)};
+  }
+  return parameters;
+}
+
+nb::dict dict_of_order(const MapOrder& order) {
+  nb::dict values;
+  values["quantization_error"] = order.quantization_error;
+  values["topographic_error"] = order.topographic_error;
+  values["trustworthiness"] = order.trustworthiness;
+  values["continuity"] = order.continuity;
+  return values;
+}
+
+nb::dict dict_of_order(const RefinedOrder& order) {
+  nb::dict values;
+  values["before"] = dict_of_order(order.before);
+  values["after"] = dict_of_order(order.after);
+  values["named_by_nearest"] = order.named_by_nearest;
+  values["classes_without_neuron"] = order.classes_without_neuron;
+  return values;
 }
 
 // Without the rows that it was trained on, which belong to others.
@@ -224,6 +254,30 @@ Map Map::learned(const SampleRows& rows, std::size_t threads) const {
   });
   if (may_diverge(changed.som.parameters())) value_or_throw(check_bounded(changed.som));
   return Map(std::move(changed));
+}
+
+nb::tuple Map::refined(const SampleRows& rows, const Numbers<std::int64_t>& classes,
+                       const nb::dict& parameters, std::size_t threads, nb::object progress) const {
+  check_rows(rows);
+  const RefinementParameters refinement = checked_refinement(parameters);
+  std::vector<std::optional<std::size_t>> of_rows(rows.count());
+  for (std::size_t i = 0; i < of_rows.size(); ++i) {
+    const std::int64_t one = classes.data()[i];
+    if (one >= 0) of_rows[i] = static_cast<std::size_t>(one);
+  }
+  RefinedSom refined;
+  unlocked(
+      [&](Interrupts& interrupts) {
+        const RefinementOptions options{model_.som.parameters().seed, threads,
+                                        interrupts.progress()};
+        auto found = refine_som(model_.som, rows.all(), of_rows, refinement, options);
+        if (!found && found.error().kind == ErrorKind::kInterrupted) return;
+        refined = value_or_throw(std::move(found));
+      },
+      std::move(progress));
+  Map map = *this;
+  map.model_.som = std::move(refined.som);
+  return nb::make_tuple(std::move(map), dict_of_order(refined.order));
 }
 
 Map Map::labelled(const std::vector<std::string>& names, const Numbers<std::int64_t>& winners,
@@ -472,6 +526,17 @@ void bind_map(nb::module_& module) {
   module.def(
       "som_parameters", [] { return descriptions_of(SomParameters::declarations().infos()); },
       "The parameters of a SOM: name, type, unit, text, range, choices and default.");
+  module.def(
+      "refinement_parameters",
+      [] { return descriptions_of(RefinementParameters::declarations().infos()); },
+      "The parameters of a refinement by labels, as of a SOM.");
+  module.def(
+      "check_refinement",
+      [](const nb::dict& refinement, const nb::dict& som) {
+        value_or_throw(check_refinement(checked_refinement(refinement), checked_parameters(som)));
+      },
+      nb::arg("refinement"), nb::arg("som"),
+      "Refuses parameters with which a map cannot be refined.");
   module.def("available_threads", &available_threads, "Threads that the machine runs at once.");
   nb::class_<Map>(module, "Map", "A trained map, as model files contain it.")
       .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows"), nb::arg("threads"),
@@ -482,6 +547,8 @@ void bind_map(nb::module_& module) {
       .def_static("imported", &Map::imported, nb::arg("path"), nb::arg("parameters"),
                   nb::arg("features"), nb::arg("variable"))
       .def("learned", &Map::learned, nb::arg("rows"), nb::arg("threads"))
+      .def("refined", &Map::refined, nb::arg("rows"), nb::arg("classes").noconvert(),
+           nb::arg("parameters"), nb::arg("threads"), nb::arg("progress").none() = nb::none())
       .def("labelled", &Map::labelled, nb::arg("names"), nb::arg("winners").noconvert(),
            nb::arg("classes").noconvert())
       .def("named", &Map::named, nb::arg("features"))

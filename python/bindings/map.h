@@ -42,6 +42,13 @@ class Map {
   /// it has seen.
   Map learned(const SampleRows& rows, std::size_t threads) const;
 
+  /// A copy of the map that labels have refined, and a dictionary with its order before and after.
+  /// `classes` has the class of each row, or -1 without one; `parameters` may contain all
+  /// parameters of a refinement. Throws Failure as refine_som().
+  nanobind::tuple refined(const SampleRows& rows, const Numbers<std::int64_t>& classes,
+                          const nanobind::dict& parameters, std::size_t threads,
+                          nanobind::object progress) const;
+
   /// A copy of the map whose neurons are named by the classes of their samples.
   Map labelled(const std::vector<std::string>& names, const Numbers<std::int64_t>& winners,
                const Numbers<std::int64_t>& classes) const;

@@ -49,6 +49,12 @@ def som_parameters() -> list:
     The parameters of a SOM: name, type, unit, text, range, choices and default.
     """
 
+def refinement_parameters() -> list:
+    """The parameters of a refinement by labels, as of a SOM."""
+
+def check_refinement(refinement: dict, som: dict) -> None:
+    """Refuses parameters with which a map cannot be refined."""
+
 def available_threads() -> int:
     """Threads that the machine runs at once."""
 
@@ -68,6 +74,8 @@ class Map:
     def imported(path: str, parameters: dict, features: Sequence[str], variable: str) -> tuple: ...
 
     def learned(self, rows: SampleRows, threads: int) -> Map: ...
+
+    def refined(self, rows: SampleRows, classes: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], parameters: dict, threads: int, progress: object | None = None) -> tuple: ...
 
     def labelled(self, names: Sequence[str], winners: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], classes: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Map: ...
 

@@ -13,7 +13,7 @@ class SOMClassifier(ClassifierMixin, SOM):
     """A self-organizing map that predicts labels.
 
     Parameters, attributes and methods are those of ``SOM``, except those that follow here. The map
-    is trained without the labels; they name its neurons afterwards. Samples of ``fit`` without a
+    is trained without the labels, unless ``refine`` is set; they name its neurons afterwards. Samples of ``fit`` without a
     label are learned, and name no neuron.
 
     Attributes:

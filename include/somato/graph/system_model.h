@@ -8,6 +8,7 @@
 #include "somato/graph/system.h"
 #include "somato/maps/labels.h"
 #include "somato/maps/novelty.h"
+#include "somato/maps/refinement.h"
 #include "somato/recording/format.h"
 
 namespace somato {
@@ -59,6 +60,10 @@ Result<SystemModel> load_system(const std::string& path);
 
 /// The map of a module; nullptr if the module is not of type `som`.
 const Som* som_of(const System& system, std::size_t module);
+
+/// The order of that map before and after its refinement; nullptr unless it was refined in this
+/// process, since model files do not contain it.
+const RefinedOrder* refined_order_of(const System& system, std::size_t module);
 
 /// The grid of that map, also before training. Throws InvalidArgument for another module.
 Grid grid_of(const System& system, std::size_t module);

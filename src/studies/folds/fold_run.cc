@@ -1,6 +1,7 @@
 #include "studies/folds/fold_run.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -69,6 +70,16 @@ Numbers strongest_of_all(const ExplorationValues& activities, const Numbers& exp
   return strongest_among(neurons, activities, explorations);
 }
 
+RefinementOutcome refinement_of(const RefinedOrder* order) {
+  if (order == nullptr) return {};
+  const auto& [before, after] = std::pair(order->before, order->after);
+  RefinementOutcome outcome{{before.topographic_error, after.topographic_error}, {}, {}};
+  if (std::isnan(before.trustworthiness)) return outcome;
+  outcome.trustworthiness = {before.trustworthiness, after.trustworthiness};
+  outcome.continuity = {before.continuity, after.continuity};
+  return outcome;
+}
+
 // Names test samples by the neurons that training samples won.
 class Naming {
  public:
@@ -102,7 +113,7 @@ Result<TrainedFold> train_fold(const StudyDescription& description, const Prepar
   TrainedFold trained{std::move(system), {}, {}, {}, {}};
   Activations activations = prepared.fixed;
   const Numbers tested = prepared.tested_by(fold);
-  const SystemTraining training{seed, 1, progress, {}, tested};
+  const SystemTraining training{seed, 1, progress, {}, tested, prepared.classes().of_sample};
   auto done = train_system(trained.system, prepared.recording, fold.training, training, activations)
                   .and_then([&] { return see(prepared, fold, activations, trained); })
                   .and_then([&] { return recall(prepared, fold, activations, trained); });
@@ -116,6 +127,7 @@ FoldOutcome test_fold(const TrainedFold& trained, const PreparedStudy& prepared,
   const Samples& inputs = trained.inputs.samples;
   FoldOutcome outcome;
   outcome.map.grid = som.grid();
+  outcome.refinement = refinement_of(refined_order_of(trained.system, prepared.map));
   nearest.resize(1 + prepared.alterations.size());
   outcome.nearest = std::move(nearest.front());
   outcome.training_winners =

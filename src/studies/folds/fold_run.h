@@ -33,6 +33,23 @@ struct AlteredOutcome {
   bool operator==(const AlteredOutcome&) const = default;
 };
 
+/// The order of a map for its training samples before and after labels have refined it; empty
+/// without a refinement.
+struct RefinementOutcome {
+  std::vector<double> topographic_errors;  ///< Before and after, like the others.
+  std::vector<double> trustworthiness;     ///< Empty if there are too few samples.
+  std::vector<double> continuity;          ///< Empty if there are too few samples.
+
+  /// Visits each field with its name in the journal.
+  template <typename Self, typename Visit>
+  static void fields(Self& self, const Visit& visit) {
+    visit("topographic_errors", self.topographic_errors);
+    visit("trustworthiness", self.trustworthiness);
+    visit("continuity", self.continuity);
+  }
+  bool operator==(const RefinementOutcome&) const = default;
+};
+
 /// The results of one training, from which all metrics are computed, for any label.
 struct FoldOutcome {
   std::vector<std::size_t> training_winners;  ///< The winners of the training samples.
@@ -48,9 +65,10 @@ struct FoldOutcome {
                                              ///< for the test samples; empty without a recall.
   std::vector<PredictionOutcome> predictions = {};  ///< For each prediction of the study.
   TrainedMap map = {};  ///< The trained map; distances only where all samples are tested by it.
-  ObjectsOutcome objects = {};    ///< Only with object_after_object.
-  NoveltyOutcome novelty = {};    ///< Only with leave_class_out.
-  TeachingOutcome teaching = {};  ///< Only with leave_class_out and taught_per_class.
+  ObjectsOutcome objects = {};        ///< Only with object_after_object.
+  NoveltyOutcome novelty = {};        ///< Only with leave_class_out.
+  TeachingOutcome teaching = {};      ///< Only with leave_class_out and taught_per_class.
+  RefinementOutcome refinement = {};  ///< Only of maps that labels refine.
 
   /// Visits each field with its name in the journal.
   template <typename Self, typename Visit>
@@ -70,6 +88,7 @@ struct FoldOutcome {
     visit("objects", self.objects);
     visit("novelty", self.novelty);
     visit("teaching", self.teaching);
+    visit("refinement", self.refinement);
   }
   bool operator==(const FoldOutcome&) const = default;
 };

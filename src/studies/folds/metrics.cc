@@ -216,8 +216,28 @@ class MetricsMaker {
   // A recall is no measure of these: they are about the map on its own sense.
   void describe_maps() {
     read_maps();
+    add_refined("topographic_error", &RefinementOutcome::topographic_errors);
+    add_refined("trustworthiness", &RefinementOutcome::trustworthiness);
+    add_refined("continuity", &RefinementOutcome::continuity);
     add_sum("quantization_error", [](const FoldOutcome& o) { return o.summed_distance; });
     add_sum("topographic_error", [](const FoldOutcome& o) { return o.topographic_errors; });
+  }
+
+  // The means over the folds of a measure before and after the refinement, if all maps have it.
+  void add_refined(const std::string& name, std::vector<double> RefinementOutcome::* values) {
+    const auto has_it = [&](const FoldOutcome* o) { return (o->refinement.*values).size() == 2; };
+    const bool all_have_it =
+        std::all_of(seeds_.begin(), seeds_.end(), [&](const SeedOutcome& seed) {
+          return std::all_of(seed.folds.begin(), seed.folds.end(), has_it);
+        });
+    if (!all_have_it) return;
+    for (const std::size_t after : {std::size_t{0}, std::size_t{1}}) {
+      add((after == 0 ? "unrefined_" : "refined_") + name, [&](const SeedOutcome& seed) {
+        double sum = 0.0;
+        for (const FoldOutcome* fold : seed.folds) sum += (fold->refinement.*values)[after];
+        return sum / static_cast<double>(seed.folds.size());
+      });
+    }
   }
 
   void add_predictions() {

@@ -197,6 +197,11 @@ const Som* som_of(const System& system, std::size_t module) {
   return som != nullptr ? &som->som() : nullptr;
 }
 
+const RefinedOrder* refined_order_of(const System& system, std::size_t module) {
+  const auto* som = dynamic_cast<const modules::MapModule*>(system.modules()[module].module.get());
+  return som != nullptr ? som->refined_order() : nullptr;
+}
+
 Grid grid_of(const System& system, std::size_t module) {
   const auto* som = dynamic_cast<const modules::MapModule*>(system.modules()[module].module.get());
   require(som != nullptr, "only a map has a grid");

@@ -7,6 +7,7 @@
 #include "somato/graph/module.h"
 #include "somato/maps/grid.h"
 #include "somato/maps/labels.h"
+#include "somato/maps/refinement.h"
 #include "somato/maps/som.h"
 
 namespace somato::modules {
@@ -19,6 +20,9 @@ class MapModule : public Module, public Learner {
 
   /// The grid of the map; before training of a map that grows, a row of its maximum size.
   virtual Grid grid() const = 0;
+
+  /// The order before and after the refinement of the last training; nullptr without one.
+  virtual const RefinedOrder* refined_order() const { return nullptr; }
 
   /// Learns `inputs` in addition to what it has learned, with the seed, draws, progress and
   /// observer of the plan, and returns the origins of the neurons. The map must be trained; if

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "maps/som/initial_weights.h"
 #include "maps/som/map_parts.h"
@@ -71,6 +73,17 @@ Result<void> check_stepwise(const SomParameters& parameters) {
               {}, "choose another 'neighbourhood', or similarity = \"dot_product\"");
 }
 
+// The labels of frames are unknown, and maps that learn together end together.
+Result<void> check_not_refined(const RefinementParameters& refinement) {
+  if (refinement.refine == Refinement::kNone) return {};
+  return fail(ErrorKind::kUsage,
+              "a map that learns in step with other modules, or from frames, cannot be refined by "
+              "labels",
+              "refine",
+              "leave 'refine' out, or give the map one input per exploration and a phase "
+              "of its training only");
+}
+
 }  // namespace
 
 Table SomModule::decide(const std::vector<Connection>& inputs, const RecordingLayout& layout) {
@@ -106,6 +119,7 @@ Result<PortType> SomModule::connect(const std::vector<Connection>& inputs) {
       !input.sparse || !InitialWeightsSource::are_zero_without_samples(parameters_);
   SOMATO_TRY_VOID(check_memory(neurons, all_stored ? input_size_ : 1, inputs.front().port));
   SOMATO_TRY_VOID(resolve(parameters_, 2, input_size_));
+  SOMATO_TRY_VOID(check_refinement(refinement_, parameters_));
   return checked_size({rate_, {*parameters_.rows, *parameters_.columns}, false, input.clock},
                       inputs.front().port);
 }
@@ -136,13 +150,39 @@ Result<void> SomModule::learn(const LearningPlan& plan, const TrainingInputs& ex
   if (known) options.training = plan.training;
   SOMATO_TRY(auto trained, train_som(parameters_for(plan),
                                      known ? plan.known : all_values(explorations), options));
+  order_.reset();
+  if (is_refined()) {
+    SOMATO_TRY(
+        auto refined,
+        refine(trained, plan, known ? plan.known.subset(plan.training) : all_values(explorations)));
+    trained = std::move(refined.som);
+    order_ = refined.order;
+  }
   learner_.reset();
   som_ = std::move(trained);
   return {};
 }
 
+Result<RefinedSom> SomModule::refine(const Som& trained, const LearningPlan& plan,
+                                     const Samples& samples) const {
+  if (plan.classes.empty()) {
+    return fail(ErrorKind::kUsage,
+                "the map is refined by labels, and the explorations are learned without any here",
+                "refine", "leave 'refine' out, or train the system in a study, which has labels");
+  }
+  require(plan.classes.size() == samples.count(), "each exploration has one value and one class");
+  return refine_som(trained, samples, {plan.classes.begin(), plan.classes.end()}, refinement_,
+                    {plan.seed, 1, plan.progress});
+}
+
 Result<NeuronOrigins> SomModule::learn_further(const LearningPlan& plan, const Samples& inputs) {
   require(som_.neurons() > 0, "a map must be trained before it learns further");
+  if (is_refined()) {
+    return fail(ErrorKind::kUsage,
+                "a map that labels have refined cannot learn further, because learning without "
+                "labels would undo the refinement",
+                "refine", "train it anew with all explorations, or leave 'refine' out");
+  }
   TrainingOptions options{1, plan.progress, plan.observer, {}};
   options.start = &som_;
   SOMATO_TRY(auto trained, train_som(parameters_for(plan), inputs, options));
@@ -154,6 +194,7 @@ Result<NeuronOrigins> SomModule::learn_further(const LearningPlan& plan, const S
 
 Result<std::uint64_t> SomModule::begin(const LearningPlan& plan,
                                        const TrainingInputs& explorations) {
+  SOMATO_TRY_VOID(check_not_refined(refinement_));
   SomParameters parameters = parameters_for(plan);
   learner_.reset();
   fixed_.reset();
@@ -222,19 +263,35 @@ bool SomModule::fits(const Som& som) const {
 
 namespace {
 
+// The keys of the map's training, and those of its refinement.
+std::pair<Table, Table> split(const Table& table) {
+  std::pair<Table, Table> parts{{table.where, {}}, {table.where, {}}};
+  for (const Table::Entry& key : table.entries) {
+    const bool of_refinement = RefinementParameters::declarations().find(key.name).has_value();
+    (of_refinement ? parts.second : parts.first).entries.push_back(key);
+  }
+  return parts;
+}
+
 ModuleType som_type() {
   ModuleType type = describe<SomModule>("som", "A self-organizing map.",
                                         {input_port("The input of the map, flattened.")},
                                         "The activity of the neurons, rows x columns.", true);
+  for (ParameterInfo& info : RefinementParameters::declarations().infos()) {
+    type.parameters.push_back(std::move(info));
+  }
   // A study sets the seed of each run.
   std::erase_if(type.parameters, [](const ParameterInfo& info) { return info.name == "seed"; });
   type.make = [](const Table& table) -> Result<std::unique_ptr<Module>> {
-    SOMATO_TRY(SomParameters parameters, read_parameters<SomParameters>(table));
+    const auto [of_som, of_refinement] = split(table);
+    SOMATO_TRY(SomParameters parameters, read_parameters<SomParameters>(of_som));
+    SOMATO_TRY(const auto refinement, read_parameters<RefinementParameters>(of_refinement));
     for (const Table::Entry& key : table.entries) {
-      const std::string reason = reason_without_effect(parameters, key.name);
+      std::string reason = reason_without_effect(parameters, key.name);
+      if (reason.empty()) reason = reason_without_effect(refinement, key.name);
       if (!reason.empty()) return fail(without_effect(key.name, reason, key.where));
     }
-    return std::make_unique<SomModule>(std::move(parameters));
+    return std::make_unique<SomModule>(std::move(parameters), refinement);
   };
   return type;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "somato/maps/refinement.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_learner.h"
 #include "systems/modules/map_module.h"
@@ -17,10 +18,12 @@ namespace somato::modules {
 class SomModule : public MapModule {
  public:
   using Parameters = SomParameters;
-  explicit SomModule(Parameters parameters) : parameters_(std::move(parameters)) {}
+  explicit SomModule(Parameters parameters, const RefinementParameters& refinement = {})
+      : parameters_(std::move(parameters)), refinement_(refinement) {}
 
   const Som& som() const override { return som_; }
   Grid grid() const override { return parameters_.grid(); }
+  const RefinedOrder* refined_order() const override { return order_ ? &*order_ : nullptr; }
 
   /// The training options for a plan.
   SomParameters parameters_for(const LearningPlan& plan) const;
@@ -48,8 +51,13 @@ class SomModule : public MapModule {
 
  private:
   bool fits(const Som& som) const;
+  bool is_refined() const { return refinement_.refine != Refinement::kNone; }
+  Result<RefinedSom> refine(const Som& trained, const LearningPlan& plan,
+                            const Samples& samples) const;
 
   SomParameters parameters_;
+  RefinementParameters refinement_;
+  std::optional<RefinedOrder> order_;
   std::size_t input_size_ = 0;
   Rate rate_ = Rate::kExploration;
   Som som_;

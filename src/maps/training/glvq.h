@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "maps/reading/known_elements.h"
+#include "somato/core/matrix.h"
+#include "somato/core/samples.h"
+#include "somato/maps/som.h"
+
+namespace somato {
+
+/// The settings of a step of GLVQ.
+struct GlvqStep {
+  double learning_rate = 0.0;  ///< 0 to 0.5: no neuron then moves beyond the sample.
+  double steepness = 0.0;      ///< That of the sigmoid, above 0.
+};
+
+/// The classes that neurons begin with.
+struct NeuronClasses {
+  std::vector<std::size_t> of_neuron;
+  std::size_t named_by_nearest = 0;  ///< Neurons that won no sample.
+};
+
+/// Each neuron's class by the classes of samples, of which there must be one: by majority, in a tie
+/// the lowest number; for a neuron that wins none, that of the nearest sample in single precision,
+/// the first in a tie. The samples are as the map sees them.
+NeuronClasses classes_of_neurons(const Som& som, const Samples& seen,
+                                 const std::vector<std::size_t>& classes);
+
+/// Learns one labelled sample after the other by GLVQ. Refers to the map, whose weights change, and
+/// which must be Euclidean or Manhattan without layers.
+class Glvq {
+ public:
+  /// `class_of_neuron` has a class for each neuron; adjacent neurons learn the share `neighbours`.
+  Glvq(Som& som, std::vector<std::size_t> class_of_neuron, double neighbours);
+
+  /// Whether samples of this class can be learned: a neuron has it, and another one does not.
+  bool has_both_sides(std::size_t the_class) const;
+
+  /// Learns a sample as the map sees it, of which elements may be missing (NaN). Nothing changes
+  /// unless has_both_sides(), or if both neurons are where the sample is.
+  void learn(std::span<const float> sample, std::size_t its_class, const GlvqStep& step);
+
+ private:
+  std::size_t nearest(const KnownScores& known, std::size_t the_class, bool of_class);
+  double distance(const KnownScores& known, std::size_t neuron);
+  void move(std::span<const float> sample, const std::vector<KnownRun>& runs, std::size_t neuron,
+            double gain);
+
+  Som& som_;
+  LaneMatrix<float>& weights_;
+  std::vector<std::size_t> class_of_neuron_;
+  std::vector<std::size_t> neurons_of_class_;
+  double neighbours_;
+  AlignedVector<float> scores_;
+  std::vector<float> candidates_;
+  std::vector<float> row_;
+};
+
+}  // namespace somato
