@@ -30,6 +30,9 @@ struct SystemTraining {
   /// trained by inner products then stores those of these explorations as well, and can be
   /// evaluated without weights (Som::knows(), Activations::values_of()).
   std::span<const std::size_t> tested = {};
+
+  /// The class of each exploration of the recording, for maps that learn names; empty: none.
+  std::span<const std::size_t> classes = {};
 };
 
 /// Trains a system on `explorations` of a recording only, phase by phase.

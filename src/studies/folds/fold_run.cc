@@ -125,7 +125,7 @@ Result<TrainedFold> train_fold(const StudyDescription& description, const Prepar
   TrainedFold trained{std::move(system), {}, {}, {}, {}};
   Activations activations = prepared.fixed;
   const Numbers tested = prepared.tested_by(fold);
-  const SystemTraining training{seed, 1, progress, {}, tested};
+  const SystemTraining training{seed, 1, progress, {}, tested, prepared.classes().of_sample};
   auto done = train_system(trained.system, prepared.recording, fold.training, training, activations)
                   .and_then([&] { return see(prepared, fold, activations, trained); })
                   .and_then([&] { return recall(prepared, fold, activations, trained); });

@@ -86,6 +86,7 @@ class VisibleTraining {
     fixed_ = activations_;
     SystemTraining training;
     training.seed = seed_;
+    training.classes = classes_.of_sample;
     training.progress = [&](std::uint64_t done, std::uint64_t total) {
       if (sees_map_) return should_continue_();
       look_.step = done;
@@ -151,6 +152,7 @@ class VisibleTraining {
     Activations activations = fixed_;
     SystemTraining training;
     training.seed = seed_;
+    training.classes = classes_.of_sample;
     training.progress = [&](std::uint64_t, std::uint64_t) { return should_continue_(); };
     SOMATO_TRY_VOID(train_system(system, recording_, part.training, training, activations));
     SOMATO_TRY_VOID(evaluate(system, recording_, all_, {input_of_map()}, 1, activations));
@@ -160,7 +162,8 @@ class VisibleTraining {
 
   LabelledMap labelled_map(const System& system, const ExplorationValues& inputs,
                            const std::vector<std::size_t>& training) const {
-    return {*som_of(system, map_), inputs, classes_.of_sample, classes_.names.size(), training};
+    return {*som_of(system, map_), inputs, classes_.of_sample, classes_.names.size(), training,
+            std::nullopt};
   }
 
   bool look_at(const Som& som) {
