@@ -223,6 +223,7 @@ Samples changed(const Samples& samples, float factor, std::size_t constants) {
 TEST(GrowingWhenRequired, TheAutomaticUnitFollowsTheInputs) {
   const Samples samples = testing::clustered_samples(40, 3, 2);
   GrowingWhenRequiredParameters parameters = eager();
+  parameters.activity_threshold = 0.2;
   parameters.habituation_threshold = 2.0;
   const Som before = learned_from(parameters, {samples});
   EXPECT_GT(before.neurons(), 5U);

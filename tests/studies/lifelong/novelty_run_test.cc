@@ -164,8 +164,7 @@ TEST(NoveltyRun, WhiteningNeedsAEuclideanMap) {
       "[study]\nname = 'unknown'\nseeds = 1\nprotocols = ['train_is_test']\nunknown = true\n"
       "false_alarm_rate = 0.1\n";
   std::string manhattan = joints_system();
-  const std::string similarity = "similarity = 'manhattan'\n";
-  manhattan.insert(manhattan.find("type = \"som\""), similarity);
+  manhattan += "similarity = 'manhattan'\n";
   const Recording recording = grasps(3, 8, 5);
   EXPECT_TRUE(run_study(study_from(text + manhattan), recording));
   const auto refused =

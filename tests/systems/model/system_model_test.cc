@@ -176,7 +176,7 @@ TEST(SystemModel, RefusesEveryTruncationAndEveryTurnedBit) {
 
 Archive saved_model() {
   const TemporaryFolder folder;
-  EXPECT_TRUE(save_system(folder.file("a"), small_system(), wary_answer()));
+  EXPECT_TRUE(save_system(folder.file("a"), small_system(), whitening_answer()));
   return load_archive(folder.file("a")).value();
 }
 
