@@ -57,6 +57,15 @@ std::string sentences(const ProtocolResults& system) {
   return text;
 }
 
+std::string collapse(const ProtocolResults& system) {
+  const auto collapsed = collapsed_map(system);
+  if (!collapsed) return {};
+  return fmt::format(
+      "  Warning: the map has {} for {} classes, which it cannot separate. A map that\n"
+      "  grows needs a higher activity_threshold or by_names = true, another map more neurons.\n",
+      counted(collapsed->winners, "winner"), collapsed->classes);
+}
+
 std::string missing_accuracy(const ProtocolResults& system) {
   if (system.find_metric("accuracy") != nullptr) return {};
   return fmt::format(
@@ -165,7 +174,7 @@ std::string table_of(const std::string& name, const ProtocolResults& system, Sho
   const std::string main =
       continual ? learners_table(system) : main_metrics(system) + names_table(system);
   return heading + (shown == ShownMetrics::kAll ? all_metrics(system) : main) +
-         missing_accuracy(system) + sentences(system) + advice(system);
+         missing_accuracy(system) + collapse(system) + sentences(system) + advice(system);
 }
 
 }  // namespace

@@ -20,6 +20,9 @@ struct FurtherLearning {
   std::uint64_t seed = 1;   ///< The seed of the draws.
   Progress progress = {};   ///< In draws.
   std::size_t threads = 1;  ///< Does not affect the result.
+  /// The class of each input, for a map that learns names; empty: none. The names of explorations
+  /// of a recording are used in their place.
+  std::vector<std::size_t> classes = {};
 };
 
 /// Lets the map of a trained system learn `inputs`, one per exploration, in addition to what it has

@@ -164,6 +164,8 @@ struct LearningPlan {
   /// the explorations have no classes.
   std::vector<std::size_t> classes;
   TrainingObserver observer;    ///< Receives snapshots of a map that learns at once.
+  /// The class of each training exploration, for a map that learns names; empty: unknown.
+  std::vector<std::size_t> classes;
   bool inputs_unknown = false;  ///< Whether the module depends on its own output.
   /// Whether each exploration has one constant value at each port: Learner::turn_to() then sets the
   /// next exploration.

@@ -31,8 +31,8 @@ struct SystemTraining {
   /// evaluated without weights (Som::knows(), Activations::values_of()).
   std::span<const std::size_t> tested = {};
 
-  /// The class of each exploration of the recording, those of `explorations` being used by maps
-  /// with a refinement (RefinementParameters). Without classes such a map fails with kUsage.
+  /// The class of each exploration of the recording, for maps that learn names and for maps with a
+  /// refinement (RefinementParameters), which fail with kUsage without; empty: none.
   std::span<const std::size_t> classes = {};
 };
 

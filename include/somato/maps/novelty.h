@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "somato/core/matrix.h"
 #include "somato/core/result.h"
 
 namespace somato {
@@ -19,6 +20,11 @@ struct Novelty {
   std::size_t samples = 0;         ///< Held-out training explorations behind the threshold.
   double threshold = 1.0;          ///< In units of the scale of a class, above 0.
   std::vector<double> scales;      ///< One for each class, above 0, in the unit of the map's input.
+
+  /// Elements x elements of the map's input, lower triangular: distances are those between vectors
+  /// multiplied by it, so that directions in which explorations of one class differ count less. No
+  /// rows: distances are those of the map. Not in the papers; docs/mathematics/unknown.md.
+  Matrix<double> whitening = {};
 
   /// The novelty of an input whose nearest labelled neuron has the class `label`, at `distance`:
   /// from 0; above 1 the input is unknown.
@@ -49,6 +55,18 @@ Result<std::vector<double>> class_scales(const std::vector<std::size_t>& classes
 
 /// Whether so many scores define a threshold (see conformal_threshold()), or the error (kData).
 Result<void> check_scores(std::size_t count, double rate);
+
+/// The least and the greatest false-alarm rate, 0 to 1, of a threshold of conformal_threshold() from
+/// `samples` scores with `rate`, outside of which it is with a probability of 2.5 % each: with other
+/// scores of the same distribution, the threshold would be another one. With a = floor(rate
+/// (samples + 1)), the rate has a beta distribution with the parameters a and samples + 1 - a (Vovk
+/// 2012, Conditional validity of inductive conformal predictors). Throws InvalidArgument if
+/// check_scores() refuses them.
+struct FalseAlarmInterval {
+  double low = 0.0;
+  double high = 1.0;
+};
+FalseAlarmInterval false_alarm_interval(std::size_t samples, double rate);
 
 /// The threshold that a further score from the same distribution exceeds with a probability of at
 /// most `rate`, above 0 and below 1: of n scores the one with rank n + 1 - floor(rate (n + 1)), as

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -81,6 +82,7 @@ struct StudyParameters {
   bool unknown = false;
   double false_alarm_rate = 0.05;
   std::size_t calibration_folds = 5;
+  std::optional<double> whitening_shrinkage;
   std::size_t taught_per_class = 0;
   std::size_t seeds = 20;
   std::uint64_t first_seed = 1;

@@ -54,7 +54,7 @@ class GrowingCells : public GrowingMap {
   std::unique_ptr<GrowingMap> copy() const override {
     return std::make_unique<GrowingCells>(*this);
   }
-  void place(std::size_t neuron, std::span<const float> input) override {
+  void place(std::size_t neuron, std::span<const float> input, std::size_t /*the_class*/) override {
     weights_.place(neuron, input);
   }
   void resume() override { weights_.number_anew(); }

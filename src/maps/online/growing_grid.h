@@ -47,7 +47,7 @@ class GrowingGrid : public GrowingMap {
   std::size_t neurons() const override { return weights_.neurons(); }
   Som map() const override;
   std::unique_ptr<GrowingMap> copy() const override { return std::make_unique<GrowingGrid>(*this); }
-  void place(std::size_t neuron, std::span<const float> input) override {
+  void place(std::size_t neuron, std::span<const float> input, std::size_t /*the_class*/) override {
     weights_.place(neuron, input);
   }
   void resume() override;

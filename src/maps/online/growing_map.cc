@@ -46,16 +46,22 @@ const Declarations<GrowthParameters>& GrowthParameters::declarations() {
   return declared;
 }
 
-Result<void> grow(GrowingMap& map, const GrowthParameters& parameters, const Samples& samples,
+Result<void> grow(GrowingMap& map, const GrowthParameters& parameters, const NamedSamples& named,
                   const Progress& progress, const TrainingObserver& observer) {
+  const Samples& samples = named.samples;
   const std::uint64_t total = parameters.iterations.value();
   const Stop stop(progress, total, kIterationsBetweenReports);
   DrawSequence draws(parameters.draws, samples.count(), parameters.seed);
   std::vector<float> input(samples.size());
   std::uint64_t moment = 0;
   for (std::uint64_t t = 1; t <= total && !map.is_complete(); ++t) {
-    write_dense(samples[draws.next()], input);
-    map.learn(input);
+    const std::size_t drawn = draws.next();
+    write_dense(samples[drawn], input);
+    if (named.classes.empty()) {
+      map.learn(input);
+    } else {
+      map.learn_named(input, named.classes[drawn]);
+    }
     const bool is_last = t == total || map.is_complete();
     const bool is_moment = is_last || t * kMomentsOfGrowth / total > moment;
     moment = t * kMomentsOfGrowth / total;
@@ -205,15 +211,20 @@ std::vector<std::optional<std::size_t>> numbers_after(std::size_t neurons,
   return numbers;
 }
 
-GrowingWeights drawn_weights(const Samples& samples, std::size_t count, std::uint64_t seed) {
+std::vector<std::size_t> drawn_samples(const Samples& samples, std::size_t count,
+                                       std::uint64_t seed) {
   SomParameters parameters;
   parameters.rows = 1;
   parameters.columns = count;
   parameters.initial_weights = InitialWeights::kSamples;
   parameters.seed = seed;
+  return initial_samples(parameters, samples.count());
+}
+
+GrowingWeights drawn_weights(const Samples& samples, std::size_t count, std::uint64_t seed) {
   GrowingWeights weights(samples.size());
   std::vector<float> row(samples.size());
-  for (const std::size_t sample : initial_samples(parameters, samples.count())) {
+  for (const std::size_t sample : drawn_samples(samples, count, seed)) {
     write_dense(samples[sample], row);
     weights.add(row);
   }

@@ -34,6 +34,12 @@ struct GrowthParameters {
   static const Declarations<GrowthParameters>& declarations();
 };
 
+/// Samples, with the class of each if a map learns their names.
+struct NamedSamples {
+  Samples samples;
+  std::vector<std::size_t> classes = {};
+};
+
 /// A map that adds neurons while it learns. Its winner is the neuron with the smallest Euclidean
 /// distance from an input.
 class GrowingMap {
@@ -50,6 +56,14 @@ class GrowingMap {
   /// Learns an input, and grows if its rule says so.
   virtual void learn(std::span<const float> input) = 0;
 
+  /// Learns an input with its class; a map that does not learn names ignores it.
+  virtual void learn_named(std::span<const float> input, std::size_t /*the_class*/) {
+    learn(input);
+  }
+
+  /// Sees samples once, before it learns from them in addition to what it has learned.
+  virtual void see(const Samples& /*samples*/) {}
+
   /// Whether learning ends by itself: further inputs are ignored.
   virtual bool is_complete() const { return false; }
 
@@ -60,10 +74,12 @@ class GrowingMap {
 
   /// Adds a neuron with the weights `input`, with the highest number; no other neuron changes its
   /// weights. Returns false, and changes nothing, if the map cannot add a single neuron or is full.
-  virtual bool add_at(std::span<const float> /*input*/) { return false; }
+  /// A map that learns names gives the neuron that of the class.
+  virtual bool add_at(std::span<const float> /*input*/, std::size_t /*the_class*/) { return false; }
 
-  /// Gives a neuron the weights `input`; all else remains.
-  virtual void place(std::size_t neuron, std::span<const float> input) = 0;
+  /// Gives a neuron the weights `input`, and, if it learns names, that of the class; all else
+  /// remains.
+  virtual void place(std::size_t neuron, std::span<const float> input, std::size_t the_class) = 0;
 
   /// Prepares further learning: neurons are numbered anew, and a map whose learning has ended by
   /// itself tunes its weights again.
@@ -85,7 +101,7 @@ class GrowingMap {
 /// Learns `iterations` draws from `samples`, or fewer if the map is complete before. `parameters`
 /// must have iterations. The number of neurons reported to the observer is that of the moment.
 /// Fails with kInterrupted if progress or observer request to stop.
-Result<void> grow(GrowingMap& map, const GrowthParameters& parameters, const Samples& samples,
+Result<void> grow(GrowingMap& map, const GrowthParameters& parameters, const NamedSamples& samples,
                   const Progress& progress, const TrainingObserver& observer);
 
 /// Refuses (kData) samples that a map cannot learn; see train_som().
@@ -160,7 +176,12 @@ void add_counts(Archive& archive, std::string name, const std::vector<std::uint6
 std::vector<std::optional<std::size_t>> numbers_after(std::size_t neurons,
                                                       const std::vector<std::size_t>& removed);
 
-/// Weights for `count` neurons: samples drawn at random, without repeats if there are enough.
+/// The numbers of the samples that are the first weights of `count` neurons: drawn at random,
+/// without repeats if there are enough.
+std::vector<std::size_t> drawn_samples(const Samples& samples, std::size_t count,
+                                       std::uint64_t seed);
+
+/// The weights of that many neurons.
 GrowingWeights drawn_weights(const Samples& samples, std::size_t count, std::uint64_t seed);
 
 /// The parameters of the map that grew: one row with a column for each neuron.

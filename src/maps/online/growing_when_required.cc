@@ -6,8 +6,16 @@
 #include <utility>
 
 #include "base/core/elementary.h"
+#include "somato/core/check.h"
 
 namespace somato {
+namespace {
+
+const std::string kNearestDistances = "nearest_distances";
+constexpr std::size_t kFirstNeurons = 2;
+constexpr std::uint64_t kMost = std::uint64_t{1} << 53U;  // a class, or inputs won
+
+}  // namespace
 
 const Declarations<GrowingWhenRequiredParameters>& GrowingWhenRequiredParameters::declarations() {
   using P = GrowingWhenRequiredParameters;
@@ -19,9 +27,10 @@ const Declarations<GrowingWhenRequiredParameters>& GrowingWhenRequiredParameters
                "A neuron is inserted if exp(-d / distance_unit) is below it, for the distance d of "
                "the winner from the input. Not given in the paper.")
           .add("distance_unit", &P::distance_unit, "", Range::above(0),
-               "Unit of distances in the activity; 1 in Marsland and others 2002. Automatic: the "
-               "square root of the number of elements, so that the threshold applies to the mean "
-               "difference of an element. Not given in the paper.")
+               "Unit of distances in the activity; 1 in Marsland and others 2002. Automatic: the mean "
+               "distance of the inputs learned so far from their nearest neighbours, so that "
+               "neither the unit of the inputs nor a constant element has an effect. Not given in "
+               "the paper.")
           .add("habituation_threshold", &P::habituation_threshold, "", Range::between(0, 2),
                "A neuron is inserted only if the winner's habituation is below it. It is 1 for a "
                "new neuron and falls to 0.05: above 1, every neuron allows insertion. Not given in "
@@ -50,25 +59,35 @@ const Declarations<GrowingWhenRequiredParameters>& GrowingWhenRequiredParameters
                "Whether a map with `most_neurons` neurons removes one of the two that are nearest "
                "to each other, to insert a neuron for an input that is farther from the winner "
                "than these are from each other. Not given in the paper.")
+          .add("by_names", &P::by_names, "", Range::any(),
+               "Whether a neuron is also inserted, at the input, where the nearest neuron has "
+               "another class than the input, in place of moving towards it. Needs a label. Not "
+               "given in the paper.")
           .add_from(&P::growth, GrowthParameters::declarations(),
                     {"softmax", "softmax_exponent", "activity_norm", "seed"});
   return declared;
 }
 
 GrowingWhenRequired::GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters,
-                                         const Samples& samples)
+                                         const NamedSamples& samples)
     : parameters_(parameters),
-      distance_unit_(
-          parameters.distance_unit.value_or(std::sqrt(static_cast<double>(samples.size())))),
-      weights_(drawn_weights(samples, 2, parameters.growth.seed)),
-      habituation_(2, 1.0),
-      ages_(2) {}
+      weights_(drawn_weights(samples.samples, kFirstNeurons, parameters.growth.seed)),
+      habituation_(kFirstNeurons, 1.0),
+      ages_(kFirstNeurons) {
+  see(samples.samples);
+  if (!parameters_.by_names) return;
+  require(samples.classes.size() == samples.samples.count(),
+          "a map that learns names needs the class of each sample");
+  for (const std::size_t drawn :
+       drawn_samples(samples.samples, kFirstNeurons, parameters.growth.seed)) {
+    names_.push_back(samples.classes[drawn]);
+  }
+  won_.assign(kFirstNeurons, 1);
+}
 
 GrowingWhenRequired::GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters,
                                          const Som& som)
     : parameters_(parameters),
-      distance_unit_(
-          parameters.distance_unit.value_or(std::sqrt(static_cast<double>(som.input_size())))),
       weights_(som),
       habituation_(som.neurons(), 1.0),
       ages_(som.neurons()) {
@@ -84,6 +103,12 @@ void GrowingWhenRequired::save(Archive& archive, const std::string& prefix) cons
     }
   }
   add_counts(archive, prefix + "ages", ages);
+  if (!parameters_.distance_unit && !has_earlier_unit_) {
+    nearest_.save(archive, prefix + kNearestDistances);
+  }
+  if (!parameters_.by_names) return;
+  add_counts(archive, prefix + "names", names_);
+  add_counts(archive, prefix + "won", won_);
 }
 
 Result<void> GrowingWhenRequired::load(const Archive& archive, const std::string& prefix,
@@ -95,6 +120,14 @@ Result<void> GrowingWhenRequired::load(const Archive& archive, const std::string
              numbers_from(archive, prefix + "habituation", neurons(), -1.0, 1.0, where));
   SOMATO_TRY(const auto ages,
              counts_from(archive, prefix + "ages", edges / 2, parameters_.oldest_edge, where));
+  has_earlier_unit_ = archive.find(prefix + kNearestDistances) == nullptr;
+  if (!has_earlier_unit_) {
+    SOMATO_TRY_VOID(nearest_.load(archive, prefix + kNearestDistances, where));
+  }
+  if (parameters_.by_names) {
+    SOMATO_TRY(names_, counts_from(archive, prefix + "names", neurons(), kMost, where));
+    SOMATO_TRY(won_, counts_from(archive, prefix + "won", neurons(), kMost, where));
+  }
   habituation_ = std::move(habituation);
   auto next = ages.begin();
   for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
@@ -105,31 +138,67 @@ Result<void> GrowingWhenRequired::load(const Archive& archive, const std::string
   return {};
 }
 
-void GrowingWhenRequired::learn(std::span<const float> input) {
+void GrowingWhenRequired::see(const Samples& samples) {
+  nearest_.see(samples, weights_.rows());
+}
+
+double GrowingWhenRequired::distance_unit() const {
+  if (has_earlier_unit_ && !parameters_.distance_unit) {
+    return std::sqrt(static_cast<double>(weights_.rows().columns()));
+  }
+  return parameters_.distance_unit.value_or(nearest_.mean());
+}
+
+bool GrowingWhenRequired::is_far(double distance) const {
+  const double unit = distance_unit();
+  if (!(unit > 0.0)) return distance > 0.0;
+  return exponential(-distance / unit) < parameters_.activity_threshold;
+}
+
+void GrowingWhenRequired::learn_named(std::span<const float> input, std::size_t the_class) {
   Winners nearest = weights_.nearest_two(input);
   connect(nearest.first, nearest.second);
-  const double distance =
-      std::sqrt(GrowingWeights::squared_distance(weights_[nearest.first], input));
-  const bool is_far = exponential(-distance / distance_unit_) < parameters_.activity_threshold;
-  const bool may_grow = habituation_[nearest.first] < parameters_.habituation_threshold;
-  if (is_far && may_grow && make_room(distance)) {
-    nearest = weights_.nearest_two(input);  // if one of them was removed
-    weights_.move(insert(nearest), input, parameters_.insertion_share);
-  } else {
-    adapt(nearest.first, input);
+  if (!grow_for(nearest, input, the_class)) {
+    if (!parameters_.by_names) {
+      adapt(nearest.first, input);
+    } else if (names_[nearest.first] == the_class) {
+      move_to_mean(nearest.first, input);
+    }
   }
   habituate(nearest.first, parameters_.winner_habituation_time);
   for (const auto& [other, age] : ages_[nearest.first]) {
     habituate(other, parameters_.neighbour_habituation_time);
   }
   age_edges_of(nearest.first);
-  remove_isolated();
+  if (!parameters_.by_names) remove_isolated();
 }
 
-bool GrowingWhenRequired::add_at(std::span<const float> input) {
-  if (is_full()) return false;
-  weights_.place(insert(weights_.nearest_two(input)), input);
+// Returns whether a neuron was inserted; `nearest` changes if one of them was removed for it.
+bool GrowingWhenRequired::grow_for(Winners& nearest, std::span<const float> input,
+                                   std::size_t the_class) {
+  const double distance =
+      std::sqrt(GrowingWeights::squared_distance(weights_[nearest.first], input));
+  const bool is_wrong = parameters_.by_names && names_[nearest.first] != the_class;
+  const bool may_grow = habituation_[nearest.first] < parameters_.habituation_threshold;
+  if (!is_wrong && !(is_far(distance) && may_grow)) return false;
+  if (!make_room(distance)) return false;
+  nearest = weights_.nearest_two(input);
+  weights_.move(insert(nearest, the_class), input, is_wrong ? 1.0 : parameters_.insertion_share);
   return true;
+}
+
+bool GrowingWhenRequired::add_at(std::span<const float> input, std::size_t the_class) {
+  if (is_full()) return false;
+  weights_.place(insert(weights_.nearest_two(input), the_class), input);
+  return true;
+}
+
+void GrowingWhenRequired::place(std::size_t neuron, std::span<const float> input,
+                                std::size_t the_class) {
+  weights_.place(neuron, input);
+  if (!parameters_.by_names) return;
+  names_[neuron] = the_class;
+  won_[neuron] = 1;
 }
 
 // Returns whether another neuron can be inserted, for an input at that distance from its winner.
@@ -150,15 +219,24 @@ bool GrowingWhenRequired::make_room(double distance) {
 }
 
 // At the weights of the nearest neuron at first.
-std::size_t GrowingWhenRequired::insert(const Winners& nearest) {
+std::size_t GrowingWhenRequired::insert(const Winners& nearest, std::size_t the_class) {
   const std::size_t inserted = neurons();
   weights_.add(weights_[nearest.first]);
   habituation_.push_back(1.0);
   ages_.emplace_back();
+  if (parameters_.by_names) {
+    names_.push_back(the_class);
+    won_.push_back(1);
+  }
   connect(inserted, nearest.first);
   connect(inserted, nearest.second);
   disconnect(nearest.first, nearest.second);
   return inserted;
+}
+
+void GrowingWhenRequired::move_to_mean(std::size_t winner, std::span<const float> input) {
+  won_[winner] += 1;
+  weights_.move(winner, input, 1.0 / static_cast<double>(won_[winner]));
 }
 
 void GrowingWhenRequired::adapt(std::size_t winner, std::span<const float> input) {
@@ -207,6 +285,11 @@ void GrowingWhenRequired::remove(const std::vector<std::size_t>& removed) {
   weights_.remove(removed);
   std::vector<std::map<std::size_t, std::size_t>> ages(neurons());
   std::vector<double> habituation(neurons());
+  for (auto* counts : {&names_, &won_}) {
+    for (auto one = removed.rbegin(); one != removed.rend() && !counts->empty(); ++one) {
+      counts->erase(counts->begin() + static_cast<std::ptrdiff_t>(*one));
+    }
+  }
   for (std::size_t neuron = 0; neuron < numbers.size(); ++neuron) {
     if (!numbers[neuron]) continue;
     habituation[*numbers[neuron]] = habituation_[neuron];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "maps/online/growing_map.h"
+#include "maps/online/nearest_distances.h"
 
 namespace somato {
 
@@ -26,6 +28,7 @@ struct GrowingWhenRequiredParameters {
   double recovery = 1.05;
   std::size_t oldest_edge = 50;
   bool replace_when_full = false;
+  bool by_names = false;
 
   static const Declarations<GrowingWhenRequiredParameters>& declarations();
 };
@@ -43,24 +46,36 @@ struct GrowingWhenRequiredParameters {
 /// is removed, and the earlier one takes over its edges. The distances that are represented by one
 /// neuron then increase only as far as the limit requires, as in incremental clustering (Charikar,
 /// Chekuri, Feder and Motwani, STOC 1997). Not in Marsland and others 2002.
+///
+/// The automatic distance_unit is NearestDistances::mean() of the samples that were learned so far;
+/// while it is 0, every input that differs from all neurons is far. A map of an earlier version
+/// keeps its unit, the square root of the number of elements.
+///
+/// With by_names, each neuron has the class of the input for which it was inserted. Where the
+/// nearest neuron has another class than the input, a neuron with the input as weights is inserted,
+/// whatever the distance and the habituation. Otherwise the winner takes the mean of the inputs that
+/// it has won since it was inserted (MacQueen 1967), no other neuron moves, and neurons without an
+/// edge are kept. Not in Marsland and others 2002; inserting what is named wrongly follows Hart 1968
+/// (The condensed nearest neighbor rule).
 class GrowingWhenRequired : public GrowingMap {
  public:
-  /// Starts with two neurons at samples drawn at random.
-  GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters, const Samples& samples);
+  /// Starts with two neurons at samples drawn at random. Throws InvalidArgument with by_names unless
+  /// each sample has a class.
+  GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters, const NamedSamples& samples);
 
   /// Learns further from a map of this kind, before load().
   GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters, const Som& som);
 
-  void learn(std::span<const float> input) override;
-  bool add_at(std::span<const float> input) override;
+  void learn(std::span<const float> input) override { learn_named(input, 0); }
+  void learn_named(std::span<const float> input, std::size_t the_class) override;
+  void see(const Samples& samples) override;
+  bool add_at(std::span<const float> input, std::size_t the_class) override;
   std::size_t neurons() const override { return weights_.neurons(); }
   Som map() const override;
   std::unique_ptr<GrowingMap> copy() const override {
     return std::make_unique<GrowingWhenRequired>(*this);
   }
-  void place(std::size_t neuron, std::span<const float> input) override {
-    weights_.place(neuron, input);
-  }
+  void place(std::size_t neuron, std::span<const float> input, std::size_t the_class) override;
   void resume() override { weights_.number_anew(); }
   const NeuronOrigins& origins() const override { return weights_.origins(); }
   void save(Archive& archive, const std::string& prefix) const override;
@@ -70,7 +85,11 @@ class GrowingWhenRequired : public GrowingMap {
  private:
   bool is_full() const { return neurons() >= parameters_.growth.most_neurons; }
   bool make_room(double distance);
-  std::size_t insert(const Winners& nearest);
+  double distance_unit() const;
+  bool is_far(double distance) const;
+  std::size_t insert(const Winners& nearest, std::size_t the_class);
+  bool grow_for(Winners& nearest, std::span<const float> input, std::size_t the_class);
+  void move_to_mean(std::size_t winner, std::span<const float> input);
   void adapt(std::size_t winner, std::span<const float> input);
   void habituate(std::size_t neuron, double time);
   void connect(std::size_t a, std::size_t b);
@@ -80,10 +99,13 @@ class GrowingWhenRequired : public GrowingMap {
   void remove(const std::vector<std::size_t>& removed);
 
   GrowingWhenRequiredParameters parameters_;
-  double distance_unit_;
+  NearestDistances nearest_;
+  bool has_earlier_unit_ = false;  // of a file of an earlier version
   GrowingWeights weights_;
   std::vector<double> habituation_;
   std::vector<std::map<std::size_t, std::size_t>> ages_;  // of the edges to others
+  std::vector<std::uint64_t> names_;  // classes, with by_names; otherwise empty
+  std::vector<std::uint64_t> won_;    // inputs since a neuron was inserted, likewise
 };
 
 }  // namespace somato

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/core/elementary.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -23,6 +24,36 @@ tl::unexpected<Error> no_repeated_class() {
               "no class has two explorations whose distance shows how much a class spreads", {},
               "'unknown' needs classes of at least two explorations in each part of the training; "
               "use more explorations, or more 'calibration_folds'");
+}
+
+std::size_t scores_above(std::size_t samples, double rate) {
+  return static_cast<std::size_t>(std::floor(rate * static_cast<double>(samples + 1) + kRounding));
+}
+
+// The probability that a beta variable with the parameters `above` and samples + 1 - above, which
+// are whole numbers, is at most `share`: that of `above` or more successes in `samples` trials.
+double beta_below(std::size_t above, std::size_t samples, double share) {
+  if (share <= 0.0 || share >= 1.0) return share <= 0.0 ? 0.0 : 1.0;
+  const double odds = natural_log(share) - natural_log(1.0 - share);
+  double term = static_cast<double>(samples) * natural_log(1.0 - share);  // a logarithm
+  double fewer = 0.0;
+  for (std::size_t successes = 0; successes < above; ++successes) {
+    fewer += exponential(term);
+    const auto failures = static_cast<double>(samples - successes);
+    term += natural_log(failures / static_cast<double>(successes + 1)) + odds;
+  }
+  return 1.0 - fewer;
+}
+
+double beta_quantile(std::size_t above, std::size_t samples, double probability) {
+  constexpr int kHalvings = 50;
+  double low = 0.0;
+  double high = 1.0;
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (beta_below(above, samples, middle) < probability ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
 }
 
 }  // namespace
@@ -72,11 +103,16 @@ Result<void> check_scores(std::size_t count, double rate) {
       {}, fmt::format("use at least {:.0f} explorations, or a higher false_alarm_rate", wanted));
 }
 
+FalseAlarmInterval false_alarm_interval(std::size_t samples, double rate) {
+  require(check_scores(samples, rate).has_value(), "too few scores for a threshold");
+  const std::size_t above = scores_above(samples, rate);
+  return {beta_quantile(above, samples, 0.025), beta_quantile(above, samples, 0.975)};
+}
+
 Result<double> conformal_threshold(std::vector<double> scores, double rate) {
   const std::size_t count = scores.size();
   SOMATO_TRY_VOID(check_scores(count, rate));
-  const auto above =
-      static_cast<std::size_t>(std::floor(rate * static_cast<double>(count + 1) + kRounding));
+  const std::size_t above = scores_above(count, rate);
   const auto place = scores.begin() + static_cast<std::ptrdiff_t>(count - above);
   std::nth_element(scores.begin(), place, scores.end());
   if (!(*place > 0.0)) return no_distances();

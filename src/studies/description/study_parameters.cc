@@ -72,7 +72,7 @@ std::vector<KeyReader> key_readers(const StudyParameters& study) {
        {"replay_per_object", "replay_choice", "generated_per_object", "generated_spread"}) {
     readers.push_back({key, "the protocol object_after_object", continual});
   }
-  for (const char* key : {"false_alarm_rate", "calibration_folds"}) {
+  for (const char* key : {"false_alarm_rate", "calibration_folds", "whitening_shrinkage"}) {
     readers.push_back({key, "the protocol leave_class_out or unknown = true", unknown});
   }
   return readers;
@@ -247,6 +247,11 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
           .add("calibration_folds", &P::calibration_folds, "", Range::between(2, 1000),
                "Number of parts of the training explorations, each held out of a further training "
                "to find the threshold of unknown ones; not given in the paper.")
+          .add("whitening_shrinkage", &P::whitening_shrinkage, "", Range::between(1e-3, 1),
+               "Share of the mean variance in the covariance within classes by which vectors are "
+               "whitened before the distances of unknown ones are measured; 1: the distances of "
+               "the map. Automatic: 0.3 for a Euclidean map of at most 1024 elements, 1 for "
+               "others. Not given in the paper.")
           .add("taught_per_class", &P::taught_per_class, "explorations", Range::between(0, 1e6),
                "Number of explorations of the class left out that a system is given the name of, "
                "one after another, under leave_class_out; it is tested on the others after each.")

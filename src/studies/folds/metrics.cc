@@ -11,6 +11,7 @@
 #include "base/core/values_at.h"
 #include "maps/grid/areas.h"
 #include "somato/maps/labels.h"
+#include "somato/maps/novelty.h"
 #include "studies/folds/map_reading.h"
 
 namespace somato {
@@ -181,8 +182,22 @@ class MetricsMaker {
                [](Scores, Scores unknown) { return share_unknown(unknown.novelty); });
     add_pooled("unknown_false_alarms",
                [](Scores known, Scores) { return share_unknown(known.novelty); });
+    add_interval("low", &FalseAlarmInterval::low);
+    add_interval("high", &FalseAlarmInterval::high);
     add_separation("", "_of_distance", &NoveltyScores::distance);
     add_separation("baseline_", "", &NoveltyScores::nearest);
+  }
+
+  // Of the thresholds that were found in training; the mean over the trainings.
+  void add_interval(const std::string& end, double FalseAlarmInterval::* limit) {
+    add("unknown_false_alarms_" + end, [&](const SeedOutcome& seed) {
+      double sum = 0.0;
+      for (const FoldOutcome* fold : seed.folds) {
+        const std::size_t scores = fold->novelty.calibrated.front();
+        sum += false_alarm_interval(scores, study_.study.false_alarm_rate).*limit;
+      }
+      return sum / static_cast<double>(seed.folds.size());
+    });
   }
 
   void add_teaching() {

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "maps/reading/novelty_reader.h"
 #include "somato/graph/system_model.h"
 #include "studies/measures/nearest_neighbour.h"
 
@@ -42,9 +43,14 @@ Numbers of_learned_classes(const Fold& part, const Numbers& class_of) {
 }  // namespace
 
 LabelledMap labelled_map(const TrainedFold& trained, const PreparedStudy& prepared,
-                         const std::vector<std::size_t>& training) {
-  return {*som_of(trained.system, prepared.map), trained.inputs, prepared.classes().of_sample,
-          prepared.classes().names.size(), training};
+                         const std::vector<std::size_t>& training,
+                         std::optional<double> shrinkage) {
+  return {*som_of(trained.system, prepared.map),
+          trained.inputs,
+          prepared.classes().of_sample,
+          prepared.classes().names.size(),
+          training,
+          shrinkage};
 }
 
 Result<Novelty> find_novelty(const StudyDescription& description, const PreparedStudy& prepared,
@@ -52,32 +58,41 @@ Result<Novelty> find_novelty(const StudyDescription& description, const Prepared
                              std::uint64_t seed, const Progress& progress) {
   const StudyParameters& study = description.study;
   SOMATO_TRY_VOID(check_scores(training.size(), study.false_alarm_rate));
+  const std::optional<double> shrinkage = study.whitening_shrinkage;
+  const bool is_plain = shrinkage.value_or(1.0) == 1.0;
+  if (!is_plain && !can_be_whitened(*som_of(trained.system, prepared.map))) {
+    return not_to_be_whitened();
+  }
   std::vector<double> scores;
   for (const Fold& part : folds_among(training, prepared.classes().of_sample,
                                       study.calibration_folds, study.first_seed)) {
     SOMATO_TRY(const auto without, train_fold(description, prepared, part, seed, progress));
     const Numbers learned = of_learned_classes(part, prepared.classes().of_sample);
     SOMATO_TRY(const auto held_out,
-               labelled_map(without, prepared, part.training).held_out_scores(learned));
+               labelled_map(without, prepared, part.training, shrinkage).held_out_scores(learned));
     scores.insert(scores.end(), held_out.begin(), held_out.end());
   }
-  return labelled_map(trained, prepared, training)
+  return labelled_map(trained, prepared, training, shrinkage)
       .novelty(std::move(scores), study.false_alarm_rate);
 }
 
 NoveltyOutcome test_novelty(const Novelty& novelty, const TrainedFold& trained,
                             const PreparedStudy& prepared, const Fold& fold) {
-  const LabelledMap map = labelled_map(trained, prepared, fold.training);
+  const LabelledMap map = labelled_map(trained, prepared, fold.training, 1.0);
+  const NoveltyReader reader(novelty, *som_of(trained.system, prepared.map), map.labels());
   const auto scores_of = [&](const Numbers& explorations) {
     NoveltyScores scores;
-    for (const LabelledNeuron& one : map.nearest(explorations)) {
-      scores.novelty.push_back(novelty.of(one.label, one.distance));
-      scores.distance.push_back(one.distance);
+    const Numbers places = trained.inputs.places_of(explorations);
+    const std::vector<LabelledNeuron> nearest = map.nearest(explorations);
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      const auto& [label, distance] = nearest[i];
+      scores.novelty.push_back(reader.of(trained.inputs.samples[places[i]], label, distance));
+      scores.distance.push_back(distance);
     }
     scores.nearest = nearest_distances(trained, fold, explorations);
     return scores;
   };
-  return {scores_of(fold.known), scores_of(fold.test)};
+  return {scores_of(fold.known), scores_of(fold.test), {novelty.samples}};
 }
 
 }  // namespace somato

@@ -66,13 +66,13 @@ Fold fold_of_first(const Classes& classes, const Fold& fold, std::size_t first) 
 // A map that learns sets of vectors one after another, whose neurons are named by votes.
 class LearningMap {
  public:
-  using Learn = std::function<Result<NeuronOrigins>(const Samples&)>;
+  using Learn = std::function<Result<NeuronOrigins>(const LearnedVectors&)>;
   using Map = std::function<const Som&()>;
 
   LearningMap(Learn learn, Map map) : learn_(std::move(learn)), map_(std::move(map)) {}
 
   Result<void> learn(const LearnedVectors& learned) {
-    SOMATO_TRY(const auto origins, learn_(learned.samples));
+    SOMATO_TRY(const auto origins, learn_(learned));
     votes_ = votes_.neurons() == 0 ? NeuronVotes(origins.size()) : votes_.moved_to(origins);
     Numbers all(learned.classes.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
@@ -307,16 +307,17 @@ Result<FoldOutcome> learn_object_after_object(
                                       fold_of_first(classes, fold, order.front()), seed, progress));
   const Samples& inputs = trained.inputs.samples;
   bool is_first = true;  // train_fold() has learned the first object
-  const auto learn = [&](const Samples& learned) -> Result<NeuronOrigins> {
+  const auto learn = [&](const LearnedVectors& learned) -> Result<NeuronOrigins> {
     if (std::exchange(is_first, false)) {
       return new_neurons(som_of(trained.system, prepared.map)->neurons());
     }
-    return learn_further(trained.system, prepared.map, learned, {seed, progress});
+    return learn_further(trained.system, prepared.map, learned.samples,
+                         {seed, progress, 1, learned.classes});
   };
   PlainSom plain(fold.training.size(), seed, progress);
   std::vector<LearningMap> maps;
   maps.emplace_back(learn, [&]() -> const Som& { return *som_of(trained.system, prepared.map); });
-  maps.emplace_back([&](const Samples& learned) { return plain.learn(learned); },
+  maps.emplace_back([&](const LearnedVectors& learned) { return plain.learn(learned.samples); },
                     [&]() -> const Som& { return plain.map(); });
   ObjectSequence sequence(description.study, inputs,
                           objects_in_order(classes, fold, trained.inputs, order), seed);

@@ -40,6 +40,7 @@ double share_above(const std::vector<double>& scores, double limit) {
 void NoveltyOutcome::add(const NoveltyOutcome& other) {
   append(other.known, known);
   append(other.unknown, unknown);
+  calibrated.insert(calibrated.end(), other.calibrated.begin(), other.calibrated.end());
 }
 
 double area_under_curve(const std::vector<double>& known, const std::vector<double>& unknown) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace somato {
@@ -25,6 +26,7 @@ struct NoveltyScores {
 struct NoveltyOutcome {
   NoveltyScores known;
   NoveltyScores unknown;
+  std::vector<std::size_t> calibrated = {};  ///< Scores behind the threshold of each training.
 
   void add(const NoveltyOutcome& other);
 
@@ -33,6 +35,7 @@ struct NoveltyOutcome {
   static void fields(Self& self, const Visit& visit) {
     visit("known", self.known);
     visit("unknown", self.unknown);
+    visit("calibrated", self.calibrated);
   }
   bool operator==(const NoveltyOutcome&) const = default;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -113,6 +114,20 @@ std::optional<double> far_below_baseline(const ProtocolResults& protocol) {
   const double below =
       std::max(baseline->mean() - accuracy->mean(), -above_best_neighbour(protocol).value_or(0.0));
   return below > kMuch ? std::optional(below) : std::nullopt;
+}
+
+std::optional<CollapsedMap> collapsed_map(const ProtocolResults& protocol) {
+  if (protocol.find_metric("accuracy") == nullptr) return {};
+  std::optional<CollapsedMap> collapsed;
+  for (const Run& run : protocol.runs) {
+    const std::set<std::size_t> winners(run.winners.begin(), run.winners.end());
+    const std::set<std::string> classes(run.labels.begin(), run.labels.end());
+    if (winners.empty() || winners.size() >= classes.size()) continue;
+    if (!collapsed || winners.size() < collapsed->winners) {
+      collapsed = CollapsedMap{winners.size(), classes.size()};
+    }
+  }
+  return collapsed;
 }
 
 std::vector<Confusion> confusions(const ProtocolResults& protocol, std::size_t most) {

@@ -39,6 +39,16 @@ std::string best_neighbour_sentence(const ProtocolResults& protocol);
 /// were held out; otherwise empty.
 std::optional<double> far_below_baseline(const ProtocolResults& protocol);
 
+/// A map with fewer winners than there are classes.
+struct CollapsedMap {
+  std::size_t winners = 0;
+  std::size_t classes = 0;
+};
+
+/// The map of the run with the fewest winners of tested samples, if they are fewer than the classes
+/// of these samples, so that it cannot separate the classes. Empty if no accuracy was measured.
+std::optional<CollapsedMap> collapsed_map(const ProtocolResults& protocol);
+
 /// Samples of a class for which another one was predicted.
 struct Confusion {
   std::string label;      ///< The true class.

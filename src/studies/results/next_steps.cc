@@ -86,6 +86,7 @@ class Proposals {
   }
 
   std::vector<NextStep> make() {
+    add_neurons();
     const double below = far_below_baseline(protocol_).value_or(0.0);
     const double missed_by_neighbour = 1.0 - result_.baseline.value_or(1.0);
     if (missed_by_neighbour > std::max(1.0 - kPoor, below)) add_other_code(is_near_chance());
@@ -118,6 +119,18 @@ class Proposals {
          is_suggested ? std::vector<std::string>()
                       : commands_of_suggestion(files_.data, protocol_.label, table_flags(part_)),
          is_suggested ? kOfData : kOfSuggestions});
+  }
+
+  void add_neurons() {
+    const auto collapsed = collapsed_map(protocol_);
+    if (!collapsed) return;
+    steps_.push_back(
+        {fmt::format("The map has fewer winners ({}) than there are classes ({}), which it cannot "
+                     "separate. A map that grows needs a higher activity_threshold or by_names = "
+                     "true, another map more neurons.",
+                     collapsed->winners, collapsed->classes),
+         {},
+         kOfBaseline});
   }
 
   void add_settings(double below) {

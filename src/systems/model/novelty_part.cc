@@ -14,6 +14,7 @@ namespace {
 
 const std::string kNovelty = "novelty";
 const std::string kScales = "novelty.scales";
+const std::string kWhitening = "novelty.whitening";
 
 struct NoveltyPart {
   Novelty novelty;
@@ -35,15 +36,34 @@ struct NoveltyPart {
   }
 };
 
+// None in files of earlier versions.
+Result<Matrix<double>> whitening_from(const Archive& archive, std::size_t elements,
+                                      const std::string& where) {
+  if (archive.find(kWhitening) == nullptr) return Matrix<double>{};
+  SOMATO_TRY(const auto found, archive.get<Array<double>>(kWhitening, where));
+  if (found->shape != std::vector<std::uint64_t>{elements, elements}) {
+    return damaged_model("'novelty.whitening' does not have the size of the map's inputs", where);
+  }
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  if (!std::all_of(found->values.begin(), found->values.end(), is_finite)) {
+    return damaged_model("'novelty.whitening' contains a number that is not finite", where);
+  }
+  return Matrix<double>(elements, elements, found->values);
+}
+
 }  // namespace
 
 void add_novelty(Archive& archive, const Novelty& novelty) {
   archive.add(kNovelty, parameters_to_toml(NoveltyPart{novelty}));
   archive.add(kScales, Array<double>{{novelty.scales.size()}, novelty.scales});
+  if (novelty.whitening.empty()) return;
+  const auto values = novelty.whitening.values();
+  archive.add(kWhitening, Array<double>{{novelty.whitening.rows(), novelty.whitening.columns()},
+                                        {values.begin(), values.end()}});
 }
 
 Result<std::optional<Novelty>> novelty_from(const Archive& archive, std::size_t classes,
-                                            const std::string& where) {
+                                            std::size_t elements, const std::string& where) {
   if (archive.find(kNovelty) == nullptr) return std::optional<Novelty>{};
   SOMATO_TRY(auto part, parameters_from<NoveltyPart>(archive, kNovelty, where));
   SOMATO_TRY(const auto scales, archive.get<Array<double>>(kScales, where));
@@ -55,6 +75,7 @@ Result<std::optional<Novelty>> novelty_from(const Archive& archive, std::size_t 
     return damaged_model("a scale of 'novelty.scales' is not above 0", where);
   }
   part.novelty.scales = scales->values;
+  SOMATO_TRY(part.novelty.whitening, whitening_from(archive, elements, where));
   return std::optional(std::move(part.novelty));
 }
 

@@ -13,9 +13,10 @@ namespace somato {
 /// Puts a threshold for unknown inputs into the archive of a system.
 void add_novelty(Archive& archive, const Novelty& novelty);
 
-/// The threshold in the archive, if it has one, for so many classes. Errors (kData, at `where`): a
+/// The threshold in the archive, if it has one, for so many classes and elements of the
+/// map's input. Errors (kData, at `where`): a
 /// missing part, other sizes, values out of range.
 Result<std::optional<Novelty>> novelty_from(const Archive& archive, std::size_t classes,
-                                            const std::string& where);
+                                            std::size_t elements, const std::string& where);
 
 }  // namespace somato

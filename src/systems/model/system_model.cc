@@ -102,6 +102,9 @@ void require_fit(const System& system, const SystemAnswer& answer) {
           "the labels of an answer must be those of its votes");
   require(!answer.novelty || answer.novelty->scales.size() == answer.classes.size(),
           "a threshold for unknown inputs needs a scale for each class");
+  require(!answer.novelty || answer.novelty->whitening.empty() ||
+              answer.novelty->whitening.rows() == som->input_size(),
+          "a whitening has the size of the map's inputs");
 }
 
 Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
@@ -112,7 +115,7 @@ Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
   if (som == nullptr) return damaged_model("the output map is missing", where);
   SOMATO_TRY(auto labels, labels_from(archive, som->neurons(), part.answer.classes.size(), where));
   part.answer.labels = std::move(labels);
-  SOMATO_TRY(part.answer.novelty, novelty_from(archive, part.answer.classes.size(), where));
+  SOMATO_TRY(part.answer.novelty, novelty_from(archive, part.answer.classes.size(), som->input_size(), where));
   if (!archive.find("votes")) return std::move(part.answer);
   SOMATO_TRY(auto votes, votes_from(archive, som->neurons(), part.answer.classes.size(), where));
   if (votes.labels() != part.answer.labels) {

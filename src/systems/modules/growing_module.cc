@@ -69,10 +69,19 @@ class KindOf : public GrowingKind {
   const GrowthParameters& growth() const override { return parameters_.growth; }
 
   std::unique_ptr<GrowingMap> start(const GrowthParameters& growth,
-                                    const Samples& samples) const override {
+                                    const NamedSamples& samples) const override {
     Parameters started = parameters_;
     started.growth = growth;
-    return std::make_unique<Map>(started, samples);
+    if constexpr (std::is_constructible_v<Map, Parameters, NamedSamples>) {
+      return std::make_unique<Map>(started, samples);
+    } else {
+      return std::make_unique<Map>(started, samples.samples);
+    }
+  }
+
+  bool learns_names() const override {
+    if constexpr (std::is_same_v<Map, GrowingWhenRequired>) return parameters_.by_names;
+    return false;
   }
 
   std::unique_ptr<GrowingMap> start(const Som& som) const override {
@@ -144,7 +153,8 @@ GrowthParameters GrowingModule::growth_for(const LearningPlan& plan, std::size_t
 }
 
 Result<void> GrowingModule::grow_from(std::unique_ptr<GrowingMap> map, const LearningPlan& plan,
-                                      const GrowthParameters& growth, const Samples& samples) {
+                                      const GrowthParameters& growth,
+                                      const NamedSamples& samples) {
   SOMATO_TRY_VOID(grow(*map, growth, samples, plan.progress, plan.observer));
   som_ = map->map();
   map_ = std::move(map);
@@ -154,8 +164,16 @@ Result<void> GrowingModule::grow_from(std::unique_ptr<GrowingMap> map, const Lea
 Result<void> GrowingModule::learn(const LearningPlan& plan, const TrainingInputs& explorations) {
   const Samples samples = all_values(explorations);
   SOMATO_TRY_VOID(check_growing(samples));
+  SOMATO_TRY(const auto learned, named(plan, samples));
   const GrowthParameters growth = growth_for(plan, samples.count());
-  return grow_from(kind_->start(growth, samples), plan, growth, samples);
+  return grow_from(kind_->start(growth, learned), plan, growth, learned);
+}
+
+Result<NamedSamples> GrowingModule::named(const LearningPlan& plan, const Samples& samples) const {
+  if (!kind_->learns_names()) return NamedSamples{samples, {}};
+  if (plan.classes.size() == samples.count()) return NamedSamples{samples, plan.classes};
+  return fail(ErrorKind::kUsage, "the map learns the names of explorations, which are not given", {},
+              "set by_names = false, or train it in a study with a label");
 }
 
 Result<NeuronOrigins> GrowingModule::learn_further(const LearningPlan& plan,
@@ -163,22 +181,25 @@ Result<NeuronOrigins> GrowingModule::learn_further(const LearningPlan& plan,
   require(map_ != nullptr, "a map must be trained before it learns further");
   SOMATO_TRY_VOID(check_growing(inputs));
   require(inputs.size() == input_size_, "inputs have the wrong size for this map");
+  SOMATO_TRY(const auto learned, named(plan, inputs));
   std::unique_ptr<GrowingMap> map = map_->copy();
   map->resume();
-  SOMATO_TRY_VOID(grow_from(std::move(map), plan, growth_for(plan, inputs.count()), inputs));
+  map->see(inputs);
+  SOMATO_TRY_VOID(grow_from(std::move(map), plan, growth_for(plan, inputs.count()), learned));
   return map_->origins();
 }
 
-bool GrowingModule::add_neuron(const SignalView& input) {
+bool GrowingModule::add_neuron(const SignalView& input, std::size_t the_class) {
   require(map_ != nullptr, "a map must be trained before it learns further");
-  const bool added = map_->add_at(dense_values(input));
+  const bool added = map_->add_at(dense_values(input), the_class);
   if (added) som_ = map_->map();
   return added;
 }
 
-void GrowingModule::place_neuron(std::size_t neuron, const SignalView& input) {
+void GrowingModule::place_neuron(std::size_t neuron, const SignalView& input,
+                                 std::size_t the_class) {
   require(map_ != nullptr, "a map must be trained before it learns further");
-  map_->place(neuron, dense_values(input));
+  map_->place(neuron, dense_values(input), the_class);
   som_ = map_->map();
 }
 

@@ -24,7 +24,10 @@ class GrowingKind {
 
   /// A map that has not learned; `growth` has the seed and the number of iterations.
   virtual std::unique_ptr<GrowingMap> start(const GrowthParameters& growth,
-                                            const Samples& samples) const = 0;
+                                            const NamedSamples& samples) const = 0;
+
+  /// Whether it learns the names of samples, and cannot learn without them.
+  virtual bool learns_names() const = 0;
 
   /// A map that learns further from `som`, before GrowingMap::load(); nullptr if `som` is not of
   /// this kind.
@@ -51,8 +54,8 @@ class GrowingModule : public MapModule {
   bool learns_by_draws() const override { return false; }
   Result<void> learn(const LearningPlan& plan, const TrainingInputs& explorations) override;
   Result<NeuronOrigins> learn_further(const LearningPlan& plan, const Samples& inputs) override;
-  bool add_neuron(const SignalView& input) override;
-  void place_neuron(std::size_t neuron, const SignalView& input) override;
+  bool add_neuron(const SignalView& input, std::size_t the_class) override;
+  void place_neuron(std::size_t neuron, const SignalView& input, std::size_t the_class) override;
   void save(Archive& archive, const std::string& prefix) const override;
   Result<void> load(const Archive& archive, const std::string& prefix,
                     const std::string& where) override;
@@ -60,7 +63,8 @@ class GrowingModule : public MapModule {
  private:
   GrowthParameters growth_for(const LearningPlan& plan, std::size_t samples) const;
   Result<void> grow_from(std::unique_ptr<GrowingMap> map, const LearningPlan& plan,
-                         const GrowthParameters& growth, const Samples& samples);
+                         const GrowthParameters& growth, const NamedSamples& samples);
+  Result<NamedSamples> named(const LearningPlan& plan, const Samples& samples) const;
 
   std::unique_ptr<GrowingKind> kind_;
   std::size_t input_size_ = 0;

@@ -30,12 +30,14 @@ class MapModule : public Module, public Learner {
   virtual Result<NeuronOrigins> learn_further(const LearningPlan& plan, const Samples& inputs) = 0;
 
   /// Adds a neuron with the weights `input` and the highest number; all others remain as they are.
-  /// Returns false if the map cannot add one. It must be trained.
-  virtual bool add_neuron(const SignalView& /*input*/) { return false; }
+  /// Returns false if the map cannot add one. It must be trained. A map that learns names gives the
+  /// neuron that of the class.
+  virtual bool add_neuron(const SignalView& /*input*/, std::size_t /*the_class*/) { return false; }
 
   /// Gives a neuron of a trained map the weights `input`, after normalization; all others remain as
-  /// they are.
-  virtual void place_neuron(std::size_t neuron, const SignalView& input) = 0;
+  /// they are. A map that learns names gives it that of the class.
+  virtual void place_neuron(std::size_t neuron, const SignalView& input,
+                            std::size_t the_class) = 0;
 
   Learner* learner() override { return this; }
 };

@@ -37,7 +37,8 @@ class SomModule : public MapModule {
   bool learns_by_draws() const override { return parameters_.training == Training::kOnline; }
   Result<void> learn(const LearningPlan& plan, const TrainingInputs& explorations) override;
   Result<NeuronOrigins> learn_further(const LearningPlan& plan, const Samples& inputs) override;
-  void place_neuron(std::size_t neuron, const SignalView& input) override {
+  void place_neuron(std::size_t neuron, const SignalView& input,
+                    std::size_t /*the_class*/) override {
     som_ = som_.with_neuron_at(neuron, input);
   }
   Result<std::uint64_t> begin(const LearningPlan& plan,

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <numeric>
+#include <optional>
 
 #include "base/core/threads.h"
+#include "maps/reading/novelty_reader.h"
 #include "maps/reading/sample_reader.h"
 #include "maps/som/sample_range.h"
 #include "somato/core/check.h"
@@ -35,6 +37,8 @@ std::vector<InputAnswer> answers_to(const SystemModel& model, const Samples& inp
   const Som& som = *som_of(model.system, *model.system.find(answer.map));
   const SampleReadings readings =
       SampleReader(som, threads, answer.labels.labelled()).read(inputs, {false, true});
+  std::optional<NoveltyReader> novelty;
+  if (answer.novelty) novelty.emplace(*answer.novelty, som, answer.labels);
   std::vector<InputAnswer> given(inputs.count());
   for_each_range(inputs.count(), threads, [&](std::size_t begin, std::size_t end) {
     SomWorkspace workspace;
@@ -45,8 +49,7 @@ std::vector<InputAnswer> answers_to(const SystemModel& model, const Samples& inp
                   *answer.labels[named],
                   som.distance(inputs[i], named, workspace),
                   {}};
-      if (answer.novelty)
-        given[i].novelty = answer.novelty->of(given[i].nearest, given[i].distance);
+      if (novelty) given[i].novelty = novelty->of(inputs[i], given[i].nearest, given[i].distance);
     }
   });
   return given;

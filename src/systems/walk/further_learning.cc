@@ -76,8 +76,8 @@ Numbers without_name(const NeuronLabels& labels) {
 
 // Returns the neuron, which may be new, and adds no vote.
 Result<std::size_t> give_neuron(modules::MapModule& map, const SignalView& input,
-                                NeuronVotes& votes) {
-  if (map.add_neuron(input)) {
+                                std::size_t label, NeuronVotes& votes) {
+  if (map.add_neuron(input, label)) {
     NeuronOrigins origins(votes.neurons() + 1);
     for (std::size_t neuron = 0; neuron < votes.neurons(); ++neuron) origins[neuron] = neuron;
     votes = votes.moved_to(origins);
@@ -90,7 +90,7 @@ Result<std::size_t> give_neuron(modules::MapModule& map, const SignalView& input
   }
   SomWorkspace workspace;
   const std::size_t neuron = map.som().winner_among(free, input, workspace);
-  map.place_neuron(neuron, input);
+  map.place_neuron(neuron, input, label);
   return neuron;
 }
 
@@ -130,6 +130,7 @@ Result<NeuronOrigins> learn_further(System& system, std::size_t map, const Sampl
   LearningPlan plan;
   plan.seed = options.seed;
   plan.progress = options.progress;
+  plan.classes = options.classes;
   for (const Phase& phase : system.phases()) {
     if (std::find(phase.learners.begin(), phase.learners.end(), map) == phase.learners.end()) {
       continue;
@@ -152,7 +153,9 @@ Result<void> learn_further(SystemModel& model, const Recording& recording,
   SOMATO_TRY(const auto classes, classes_of(recording, explorations, answer.label, answer.classes));
   SOMATO_TRY(const auto inputs,
              inputs_of(model.system, map, recording, explorations, options.threads));
-  SOMATO_TRY(const auto origins, learn_further(model.system, map, inputs, options));
+  FurtherLearning named = options;
+  named.classes = classes;
+  SOMATO_TRY(const auto origins, learn_further(model.system, map, inputs, named));
   answer.votes = votes_of(answer).moved_to(origins);
   const Som& som = *som_of(model.system, map);
   Numbers all(explorations.size());
@@ -193,7 +196,7 @@ Result<Taught> teach(SystemModel& model, const SignalView& input, const std::str
     answer.votes.add(neuron, label);
   } else {
     if (before.distance > 0.0) {
-      SOMATO_TRY(neuron, give_neuron(module, input, answer.votes));
+      SOMATO_TRY(neuron, give_neuron(module, input, label, answer.votes));
     }
     outvote(answer.votes, neuron, label);
     // Another neuron with nearly the same weights may answer.

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "maps/reading/class_whitening.h"
+#include "somato/core/matrix.h"
 #include "somato/core/result.h"
 #include "somato/graph/evaluation.h"
 #include "somato/maps/labels.h"
@@ -22,10 +25,18 @@ struct LabelledNeuron {
 class LabelledMap {
  public:
   /// `inputs` has the inputs of `training` at least, and `class_of` the class of every exploration,
-  /// below `classes`. Map and inputs must outlive it.
+  /// below `classes`. Map and inputs must outlive it. Distances are those between vectors that are
+  /// whitened within the classes of `training` with this shrinkage; with 1, those of the map. Where
+  /// it is automatic, they are whitened if they can be. Throws InvalidArgument for a shrinkage below
+  /// 1 and a map for which can_be_whitened() is false.
   LabelledMap(const Som& som, const ExplorationValues& inputs,
               const std::vector<std::size_t>& class_of, std::size_t classes,
-              const std::vector<std::size_t>& training);
+              const std::vector<std::size_t>& training, std::optional<double> shrinkage = 1.0);
+  LabelledMap(const LabelledMap&) = delete;
+  LabelledMap& operator=(const LabelledMap&) = delete;
+
+  /// The labels of the neurons.
+  const NeuronLabels& labels() const { return labels_; }
 
   /// The nearest labelled neuron for each exploration, for which the inputs must be known.
   std::vector<LabelledNeuron> nearest(const std::vector<std::size_t>& explorations) const;
@@ -44,6 +55,8 @@ class LabelledMap {
 
  private:
   double distance_from_others(std::size_t place) const;
+  LabelledNeuron nearest_whitened(std::size_t place, std::optional<std::size_t> except) const;
+  std::vector<LabelledNeuron> nearest_measured(const std::vector<std::size_t>& explorations) const;
 
   const Som& som_;
   const ExplorationValues& inputs_;
@@ -52,6 +65,8 @@ class LabelledMap {
   std::vector<std::size_t> places_;    ///< The places of these explorations among the inputs.
   std::vector<std::size_t> winners_;   ///< The winners of these.
   NeuronLabels labels_;
+  Matrix<double> whitening_;  ///< No rows: distances are those of the map.
+  std::optional<WhitenedNeurons> whitened_;
 };
 
 }  // namespace somato

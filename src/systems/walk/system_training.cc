@@ -83,6 +83,8 @@ class Trainer {
   LearningPlan learning_plan_for(std::size_t module, const Phase& phase) const {
     LearningPlan plan = somato::learning_plan_for(system_, module, phase, training_.seed);
     plan.progress = training_.progress;
+    if (training_.classes.empty()) return plan;
+    for (const std::size_t one : explorations_) plan.classes.push_back(training_.classes[one]);
     return plan;
   }
 

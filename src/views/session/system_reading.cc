@@ -49,7 +49,11 @@ SystemReading::SystemReading(std::shared_ptr<const SystemModel> model, std::size
     : model_(std::move(model)),
       map_(map),
       neurons_of_class_(neurons_by_class(*model_->answer)),
-      walk_(model_->system, all_modules(model_->system), Outputs::kLatest) {}
+      walk_(model_->system, all_modules(model_->system), Outputs::kLatest) {
+  const SystemAnswer& answer = *model_->answer;
+  if (!answer.novelty) return;
+  novelty_.emplace(*answer.novelty, *som_of(model_->system, map_), answer.labels);
+}
 
 Result<SystemReading> SystemReading::build(std::shared_ptr<const SystemModel> model) {
   SOMATO_TRY(const auto map, answering_map(*model));
@@ -119,10 +123,9 @@ Result<std::optional<Reading>> SystemReading::read() {
     }
   }
   reading.candidates = candidates(input_of(map_));
-  const auto& novelty = model_->answer->novelty;
-  if (novelty && !reading.candidates.empty()) {
+  if (novelty_ && !reading.candidates.empty()) {
     const CandidateClass& nearest = reading.candidates.front();
-    reading.novelty = novelty->of(nearest.number, nearest.distance);
+    reading.novelty = novelty_->of(input_of(map_), nearest.number, nearest.distance);
   }
   return std::optional<Reading>(std::move(reading));
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "maps/reading/novelty_reader.h"
 #include "somato/core/result.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
@@ -82,6 +83,7 @@ class SystemReading {
   std::shared_ptr<const SystemModel> model_;
   std::size_t map_;
   std::vector<std::vector<std::size_t>> neurons_of_class_;
+  std::optional<NoveltyReader> novelty_;
   Walk walk_;
   const Exploration* exploration_ = nullptr;  // that the walk goes through
 };

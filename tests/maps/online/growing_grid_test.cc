@@ -145,7 +145,7 @@ TEST(GrowingGrid, GrowsAlongALine) {
   parameters.growth.iterations = 10'000;
   parameters.growth_inputs = 30;
   GrowingGrid map(parameters, samples);
-  ASSERT_TRUE(grow(map, parameters.growth, samples, {}, {}));
+  ASSERT_TRUE(grow(map, parameters.growth, {samples}, {}, {}));
   const Som som = map.map();
   EXPECT_GE(std::max(som.grid().rows(), som.grid().columns()),
             3 * std::min(som.grid().rows(), som.grid().columns()));
@@ -157,7 +157,7 @@ TEST(GrowingGrid, ChangesNothingOnceItIsComplete) {
   GrowingGridParameters parameters = small_grid();
   parameters.growth.iterations = 10'000;
   GrowingGrid map(parameters, samples);
-  ASSERT_TRUE(grow(map, parameters.growth, samples, {}, {}));
+  ASSERT_TRUE(grow(map, parameters.growth, {samples}, {}, {}));
   ASSERT_TRUE(map.is_complete());
   const Som before = map.map();
   map.learn(std::vector<float>{100, 100});

@@ -98,7 +98,7 @@ class CountingMap : public GrowingMap {
   std::size_t neurons() const override { return inputs.size(); }
   Som map() const override { return {}; }
   std::unique_ptr<GrowingMap> copy() const override { return std::make_unique<CountingMap>(*this); }
-  void place(std::size_t neuron, std::span<const float> input) override {
+  void place(std::size_t neuron, std::span<const float> input, std::size_t /*the_class*/) override {
     inputs[neuron] = input[0];
   }
   void resume() override { inputs.clear(); }
@@ -125,7 +125,7 @@ GrowthParameters iterations(std::uint64_t count) {
 TEST(Grow, DrawsEverySampleBeforeOneComesAgain) {
   CountingMap map(100);
   const Samples samples(Matrix<float>(3, 1, {1, 2, 3}));
-  ASSERT_TRUE(grow(map, iterations(6), samples, {}, {}));
+  ASSERT_TRUE(grow(map, iterations(6), {samples}, {}, {}));
   ASSERT_EQ(map.inputs.size(), 6U);
   std::sort(map.inputs.begin(), map.inputs.begin() + 3);
   EXPECT_EQ(Floats(map.inputs.begin(), map.inputs.begin() + 3), (Floats{1, 2, 3}));
@@ -139,7 +139,7 @@ TEST(Grow, EndsWithACompleteMap) {
     moments.push_back(moment.step);
     return true;
   };
-  ASSERT_TRUE(grow(map, iterations(1000), samples, {}, observer));
+  ASSERT_TRUE(grow(map, iterations(1000), {samples}, {}, observer));
   EXPECT_EQ(map.inputs.size(), 4U);
   EXPECT_EQ(moments, (std::vector<std::uint64_t>{1000}));
 }
@@ -147,13 +147,13 @@ TEST(Grow, EndsWithACompleteMap) {
 TEST(Grow, CanBeStopped) {
   CountingMap map(1000);
   const Samples samples(Matrix<float>(1, 1, 1.0F));
-  const auto stopped = grow(map, iterations(1000), samples,
+  const auto stopped = grow(map, iterations(1000), {samples},
                             [](std::uint64_t done, std::uint64_t) { return done < 128; }, {});
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().kind, ErrorKind::kInterrupted);
   EXPECT_EQ(map.inputs.size(), 128U);
   const auto unseen =
-      grow(map, iterations(10), samples, {}, [](const TrainingMoment&) { return false; });
+      grow(map, iterations(10), {samples}, {}, [](const TrainingMoment&) { return false; });
   ASSERT_FALSE(unseen);
   EXPECT_EQ(unseen.error().kind, ErrorKind::kInterrupted);
 }

@@ -130,12 +130,13 @@ TEST(GrowingWhenRequired, IsTheSlowMap) {
     const Samples samples = testing::clustered_samples(60, 1 + seed % 4, seed);
     GrowingWhenRequiredParameters parameters = eager();
     parameters.growth.seed = seed;
+    parameters.distance_unit = std::sqrt(static_cast<double>(samples.size()));
     parameters.insertion_share = seed % 2 == 0 ? 0.5 : 1.0;
     if (seed > 4) {
       parameters.replace_when_full = true;
       parameters.growth.most_neurons = 3 + seed;
     }
-    GrowingWhenRequired map(parameters, samples);
+    GrowingWhenRequired map(parameters, {samples});
     SlowMap slow(parameters, testing::points_of(map.map()));
     Random random(seed);
     std::vector<float> input(samples.size());
@@ -163,8 +164,9 @@ TEST(GrowingWhenRequired, IsTheSlowMap) {
 TEST(GrowingWhenRequired, InsertsBetweenTheInputAndTheWinner) {
   const Samples samples(Matrix<float>(2, 1, {0, 10}));
   GrowingWhenRequiredParameters parameters = eager();
+  parameters.distance_unit = 1.0;
   parameters.habituation_threshold = 2.0;
-  GrowingWhenRequired map(parameters, samples);
+  GrowingWhenRequired map(parameters, {samples});
   map.learn(std::vector<float>{4});
   const Som som = map.map();
   ASSERT_EQ(som.neurons(), 3U);
@@ -174,7 +176,7 @@ TEST(GrowingWhenRequired, InsertsBetweenTheInputAndTheWinner) {
   EXPECT_EQ(som.weight(winner, 0), 0.0F);  // it did not move
 
   parameters.habituation_threshold = 0.3;
-  GrowingWhenRequired waiting(parameters, samples);
+  GrowingWhenRequired waiting(parameters, {samples});
   waiting.learn(std::vector<float>{4});
   EXPECT_EQ(waiting.neurons(), 2U);
 }
@@ -183,7 +185,7 @@ TEST(GrowingWhenRequired, InsertsBetweenTheInputAndTheWinner) {
 TEST(GrowingWhenRequired, ForgetsNothingFarAway) {
   GrowingWhenRequiredParameters parameters = eager();
   parameters.habituation_threshold = 2.0;
-  GrowingWhenRequired map(parameters, Samples(Matrix<float>(2, 1, {0, 1})));
+  GrowingWhenRequired map(parameters, {Samples(Matrix<float>(2, 1, {0, 1}))});
   const auto learn = [&](float centre) {
     for (int i = 0; i < 200; ++i) map.learn(std::vector<float>{centre + static_cast<float>(i % 2)});
   };
@@ -196,14 +198,131 @@ TEST(GrowingWhenRequired, ForgetsNothingFarAway) {
   EXPECT_LT(testing::distance({100.0}, after[testing::nearest(after, {100.0})]), 0.6);
 }
 
+// What a map has learned from samples that are learned one after the other, three times.
+Som learned_from(const GrowingWhenRequiredParameters& parameters, const NamedSamples& named) {
+  GrowingWhenRequired map(parameters, named);
+  std::vector<float> input(named.samples.size());
+  for (std::size_t t = 0; t < 3 * named.samples.count(); ++t) {
+    const std::size_t sample = t % named.samples.count();
+    write_dense(named.samples[sample], input);
+    map.learn_named(input, named.classes.empty() ? 0 : named.classes[sample]);
+  }
+  return map.map();
+}
+
+Samples changed(const Samples& samples, float factor, std::size_t constants) {
+  Matrix<float> rows(samples.count(), samples.size() + constants, 3.0F);
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    write_dense(samples[i], rows.row(i).first(samples.size()));
+    for (std::size_t d = 0; d < samples.size(); ++d) rows(i, d) *= factor;
+  }
+  return Samples(std::move(rows));
+}
+
+// All products with 1024 are exact, those with 1000 are not.
+TEST(GrowingWhenRequired, TheAutomaticUnitFollowsTheInputs) {
+  const Samples samples = testing::clustered_samples(40, 3, 2);
+  GrowingWhenRequiredParameters parameters = eager();
+  parameters.activity_threshold = 0.2;
+  parameters.habituation_threshold = 2.0;
+  const Som before = learned_from(parameters, {samples});
+  EXPECT_GT(before.neurons(), 5U);
+  EXPECT_LT(before.neurons(), 40U);
+  for (const float factor : {1024.0F, 1000.0F, 0.001F}) {
+    EXPECT_EQ(learned_from(parameters, {changed(samples, factor, 0)}).grid(), before.grid());
+  }
+  EXPECT_EQ(learned_from(parameters, {changed(samples, 1.0F, 2)}).grid(), before.grid());
+  EXPECT_EQ(learned_from(parameters, {changed(samples, 1024.0F, 0)}).weight(4, 1),
+            1024.0F * before.weight(4, 1));
+}
+
+// Nothing differs at first, so that nothing gives distances a unit.
+TEST(GrowingWhenRequired, WithoutAUnitEveryOtherInputIsFar) {
+  GrowingWhenRequiredParameters parameters = eager();
+  parameters.habituation_threshold = 2.0;
+  parameters.insertion_share = 1.0;
+  GrowingWhenRequired map(parameters, {Samples(Matrix<float>(2, 1, {5, 5}))});
+  map.learn(std::vector<float>{5});
+  EXPECT_EQ(map.neurons(), 2U);
+  map.learn(std::vector<float>{5.25F});
+  EXPECT_EQ(map.neurons(), 3U);
+}
+
+struct NamedRows {
+  std::vector<Values> weights;
+  std::vector<std::size_t> names;
+};
+
+// The rule of names, one line after the other, for a distance above which an input is far.
+NamedRows slow_names(const NamedSamples& named, NamedRows rows, double far) {
+  std::vector<double> won(rows.names.size(), 1.0);
+  for (std::size_t t = 0; t < 3 * named.samples.count(); ++t) {
+    const std::size_t sample = t % named.samples.count();
+    const Values x = testing::point_of(named.samples, sample);
+    const std::size_t s = testing::nearest(rows.weights, x);
+    if (rows.names[s] != named.classes[sample] || testing::distance(rows.weights[s], x) > far) {
+      rows.weights.push_back(x);
+      rows.names.push_back(named.classes[sample]);
+      won.push_back(1.0);
+    } else {
+      won[s] += 1.0;
+      testing::move(rows.weights[s], x, 1.0 / won[s]);
+    }
+  }
+  return rows;
+}
+
+NamedSamples named_samples(std::uint64_t seed) {
+  NamedSamples named{testing::clustered_samples(40, 2, seed), {}};
+  Random random(seed + 50);
+  for (std::size_t i = 0; i < 40; ++i) named.classes.push_back(random.below(3));
+  return named;
+}
+
+TEST(GrowingWhenRequired, ByNamesIsTheSlowRule) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const NamedSamples named = named_samples(seed);
+    GrowingWhenRequiredParameters parameters;
+    parameters.by_names = true;
+    parameters.distance_unit = 1.5;
+    parameters.habituation_threshold = 2.0;
+    parameters.insertion_share = 1.0;
+    parameters.oldest_edge = 3;
+    NamedRows start{testing::points_of(GrowingWhenRequired(parameters, named).map()), {}};
+    for (const Values& weights : start.weights) {
+      for (std::size_t i = 0; i < named.classes.size(); ++i) {
+        if (testing::point_of(named.samples, i) != weights) continue;
+        start.names.push_back(named.classes[i]);
+        break;
+      }
+    }
+    const NamedRows slow = slow_names(named, start, -1.5 * std::log(parameters.activity_threshold));
+    const Som som = learned_from(parameters, named);
+    EXPECT_LT(testing::difference(testing::points_of(som), slow.weights), 1e-4) << seed;
+  }
+}
+
+// With names, a map of two classes at the same distance from each other has both.
+TEST(GrowingWhenRequired, ByNamesSeparatesWhatIsNear) {
+  const NamedSamples named{Samples(Matrix<float>(4, 1, {0, 1, 0.5F, 20})), {0, 0, 1, 0}};
+  GrowingWhenRequiredParameters parameters;
+  parameters.by_names = true;
+  parameters.distance_unit = 1000.0;
+  EXPECT_GE(learned_from(parameters, named).neurons(), 3U);
+  parameters.by_names = false;
+  EXPECT_EQ(learned_from(parameters, named).neurons(), 2U);
+  parameters.by_names = true;
+  EXPECT_THROW(GrowingWhenRequired(parameters, {named.samples}), InvalidArgument);
+}
+
 TEST(GrowingWhenRequired, IsTheSameForTheSameSeed) {
   const Samples samples = testing::clustered_samples(30, 3, 5);
   const auto grown = [&](std::uint64_t seed) {
     GrowingWhenRequiredParameters parameters = eager();
     parameters.growth.seed = seed;
     parameters.growth.iterations = 300;
-    GrowingWhenRequired map(parameters, samples);
-    EXPECT_TRUE(grow(map, parameters.growth, samples, {}, {}));
+    GrowingWhenRequired map(parameters, {samples});
+    EXPECT_TRUE(grow(map, parameters.growth, {samples}, {}, {}));
     return map.map();
   };
   EXPECT_EQ(grown(1).weights(), grown(1).weights());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "somato/core/check.h"
 #include "somato/core/random.h"
@@ -71,6 +72,21 @@ TEST(Novelty, ThresholdNeedsEnoughScores) {
   EXPECT_EQ(conformal_threshold(Values(30, 0.0), 0.05).error().kind, ErrorKind::kData);
   EXPECT_THROW((void)conformal_threshold({1.0}, 0.0), InvalidArgument);
   EXPECT_THROW((void)conformal_threshold({1.0}, 1.0), InvalidArgument);
+}
+
+// Quantiles of beta distributions of SciPy 1.17, scipy.stats.beta.ppf([0.025, 0.975], a, n + 1 - a),
+// and, for a = 1, 1 - (1 - p)^(1 / n).
+TEST(Novelty, TheIntervalOfAThresholdHasTheQuantilesOfABetaDistribution) {
+  const FalseAlarmInterval of_19 = false_alarm_interval(19, 0.05);
+  EXPECT_NEAR(of_19.low, 1.0 - std::pow(0.975, 1.0 / 19.0), 1e-12);
+  EXPECT_NEAR(of_19.high, 1.0 - std::pow(0.025, 1.0 / 19.0), 1e-12);
+  const FalseAlarmInterval of_100 = false_alarm_interval(100, 0.05);
+  EXPECT_NEAR(of_100.low, 0.016431879182052155, 1e-9);
+  EXPECT_NEAR(of_100.high, 0.09925715671265992, 1e-9);
+  const FalseAlarmInterval of_5000 = false_alarm_interval(5000, 0.3);
+  EXPECT_NEAR(of_5000.low, 0.28731774301219815, 1e-9);
+  EXPECT_NEAR(of_5000.high, 0.31271384070766217, 1e-9);
+  EXPECT_THROW((void)false_alarm_interval(18, 0.05), InvalidArgument);
 }
 
 // Over 2000 drawings of 25 scores, a further one is above the threshold in at most that share.

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "maps/reading/class_whitening.h"
 #include "recordings/support/made_recording.h"
 #include "somato/graph/answers.h"
 #include "somato/graph/system_model.h"
@@ -96,7 +97,7 @@ TEST(NoveltyRun, ScalesAndNearestNeuronsAreThoseOfPlainLoops) {
   for (const std::size_t one : trained.fold.training) distances.push_back(distance_from(one, true));
   Numbers classes;
   for (const std::size_t one : trained.fold.training) classes.push_back(one / 8);
-  const LabelledMap map = labelled_map(trained.outcome, trained.prepared, trained.fold.training);
+  const LabelledMap map = labelled_map(trained.outcome, trained.prepared, trained.fold.training, 1.0);
   const auto expected = class_scales(classes, distances, 3).value();
   const auto scales = map.scales().value();
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(scales[c], expected[c], 1e-5) << c;
@@ -104,6 +105,86 @@ TEST(NoveltyRun, ScalesAndNearestNeuronsAreThoseOfPlainLoops) {
   ASSERT_EQ(nearest.size(), trained.fold.test.size());
   for (std::size_t i = 0; i < nearest.size(); ++i) {
     EXPECT_NEAR(nearest[i].distance, distance_from(trained.fold.test[i], false), 1e-5);
+  }
+}
+
+// Scales and distances after whitening, again with plain loops.
+TEST(NoveltyRun, WhitenedScoresAreThoseOfPlainLoops) {
+  const Trained trained(6);
+  const Som& som = *som_of(trained.outcome.system, trained.prepared.map);
+  const auto& inputs = trained.outcome.inputs;
+  const Numbers& training = trained.fold.training;
+  Numbers classes;
+  for (const std::size_t one : training) classes.push_back(one / 8);
+  const Matrix<double> whitening =
+      whitening_within_classes(inputs.samples, inputs.places_of(training), classes, 0.3);
+  const auto whitened_distance = [&](std::size_t one, std::size_t neuron) {
+    const SignalView input = inputs.samples[inputs.places_of(Numbers{one}).front()];
+    double squared = 0.0;
+    for (std::size_t i = 0; i < som.input_size(); ++i) {
+      double sum = 0.0;
+      for (std::size_t d = 0; d < som.input_size(); ++d) {
+        sum += whitening(i, d) * (double{input.values[d]} - double{som.weight(neuron, d)});
+      }
+      squared += sum * sum;
+    }
+    return std::sqrt(squared);
+  };
+  std::map<std::size_t, Numbers> samples_of;
+  Numbers all(som.neurons());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (const std::size_t one : training) {
+    const SignalView input = inputs.samples[inputs.places_of(Numbers{one}).front()];
+    samples_of[plain_nearest(som, input, all)].push_back(one);
+  }
+  const auto nearest = [&](std::size_t one, bool without_own) {
+    std::pair best{std::numeric_limits<double>::infinity(), std::size_t{0}};
+    for (const auto& [neuron, samples] : samples_of) {
+      if (without_own && samples == Numbers{one}) continue;
+      best = std::min(best, std::pair{whitened_distance(one, neuron), neuron});
+    }
+    return best;
+  };
+  std::vector<double> distances;
+  for (const std::size_t one : training) distances.push_back(nearest(one, true).first);
+  const auto expected = class_scales(classes, distances, 3).value();
+  const LabelledMap map = labelled_map(trained.outcome, trained.prepared, training, 0.3);
+  const auto scales = map.scales().value();
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(scales[c], expected[c], 1e-6 * expected[c]);
+  const auto scores = map.held_out_scores(trained.fold.test).value();
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    const auto [distance, neuron] = nearest(trained.fold.test[i], false);
+    const double score = distance / expected[*map.labels()[neuron]];
+    EXPECT_NEAR(scores[i], score, 1e-6 * score);
+  }
+}
+
+TEST(NoveltyRun, WhiteningNeedsAEuclideanMap) {
+  const std::string text =
+      "[study]\nname = 'unknown'\nseeds = 1\nprotocols = ['train_is_test']\nunknown = true\n"
+      "false_alarm_rate = 0.1\n";
+  std::string manhattan = joints_system();
+  manhattan += "similarity = 'manhattan'\n";
+  const Recording recording = grasps(3, 8, 5);
+  EXPECT_TRUE(run_study(study_from(text + manhattan), recording));
+  const auto refused =
+      run_study(study_from(text + "whitening_shrinkage = 0.3\n" + manhattan), recording);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::kUsage);
+  EXPECT_NE(to_string(refused.error()).find("whitening_shrinkage"), std::string::npos);
+}
+
+TEST(NoveltyRun, StatesTheIntervalOfItsThresholds) {
+  const StudyDescription study =
+      unknown_study("protocols = ['leave_class_out']\nfolds = 4\nfalse_alarm_rate = 0.1\n");
+  const StudyOutcome outcome = outcome_of(study, testing::objects_apart(3, 16, 20.0, 3));
+  const ProtocolResults& results = system_of(outcome, "leave_class_out");
+  const FalseAlarmInterval expected = false_alarm_interval(24, 0.1);  // 3/4 of 32 known ones
+  for (const double low : values_of(results, "unknown_false_alarms_low")) {
+    EXPECT_NEAR(low, expected.low, 1e-12);
+  }
+  for (const double high : values_of(results, "unknown_false_alarms_high")) {
+    EXPECT_NEAR(high, expected.high, 1e-12);
   }
 }
 

@@ -29,6 +29,7 @@ const Progress kTaughtOn = [](std::uint64_t, std::uint64_t) { return true; };
 StudyDescription teaching_study(const std::string& kind, const std::string& settings = "") {
   return study_from(
       "[study]\nname = 'teaching'\nseeds = 2\nprotocols = ['leave_class_out']\nfolds = 4\n"
+      "whitening_shrinkage = 1\n"
       "false_alarm_rate = 0.2\ntaught_per_class = 3\n" +
       settings +
       "[module.joints]\ntype = 'channel'\nchannel = 'joints'\n"

@@ -66,6 +66,22 @@ TEST(MainResult, StatesTheDistanceFromTheBestNeighbour) {
   EXPECT_EQ(best_neighbour_sentence(one), "");
 }
 
+// One winner for the classes a, b and c; then two in another run, and as many as classes.
+TEST(MainResult, AMapCollapsesWithFewerWinnersThanClasses) {
+  ProtocolResults results = protocol("k_folds", 0.5, 0.5);
+  results.runs.push_back({2, {0, 1, 1, 0}, {"a", "a", "b", "c"}, {"a", "a", "b", "b"}, {}, {}});
+  ASSERT_TRUE(collapsed_map(results));
+  EXPECT_EQ(collapsed_map(results)->winners, 1U);
+  EXPECT_EQ(collapsed_map(results)->classes, 3U);
+  results.runs.erase(results.runs.begin());
+  EXPECT_EQ(collapsed_map(results)->winners, 2U);
+  results.runs.front().winners = {5, 1, 1, 9};
+  EXPECT_FALSE(collapsed_map(results));
+  results.runs.front().winners = {0, 0, 0, 0};
+  results.metrics.clear();
+  EXPECT_FALSE(collapsed_map(results));
+}
+
 TEST(MainResult, ConfusionsAreCountedOverAllRuns) {
   ProtocolResults results = protocol("k_folds", 0.5, 0.5);
   results.runs.push_back({2, {0, 0, 0, 0}, {"a", "a", "b", "c"}, {"a", "a", "b", "b"}, {}, {}});

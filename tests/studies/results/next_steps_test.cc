@@ -13,7 +13,7 @@ PartResults part(double accuracy, double baseline, std::size_t wrong = 0) {
   protocol.metrics = {{"accuracy", {accuracy}, {}}, {"baseline_accuracy", {baseline}, {}}};
   Run run;
   for (std::size_t i = 0; i < 24; ++i) {
-    run.winners.push_back(0);
+    run.winners.push_back(run.winners.size());
     run.labels.emplace_back(i < 12 ? "cup" : "ball");
     run.predictions.push_back(i < wrong ? "ball" : run.labels.back());
   }
@@ -30,6 +30,13 @@ const NextStep* step_with(const std::vector<NextStep>& steps, const std::string&
     return step.text.find(words) != std::string::npos;
   });
   return found == steps.end() ? nullptr : &*found;
+}
+
+TEST(NextSteps, BeginWithAMapThatCollapsed) {
+  PartResults collapsed = part(0.8, 0.82);
+  for (std::size_t& winner : collapsed.protocols[0].runs[0].winners) winner = 0;
+  EXPECT_NE(next_steps(collapsed, {}).front().text.find("fewer winners (1) than there are classes"),
+            std::string::npos);
 }
 
 TEST(NextSteps, FollowFromTheBaseline) {

@@ -60,6 +60,21 @@ TEST(SystemModel, KeepsTheThresholdForUnknownInputs) {
   EXPECT_EQ(bytes_of(folder.file("b")), bytes_of(folder.file("a")));
 }
 
+SystemAnswer whitening_answer() {
+  SystemAnswer answer = wary_answer();
+  const std::size_t elements = som_of(small_system(), small_system().modules().size() - 1)->input_size();
+  answer.novelty->whitening = Matrix<double>(elements, elements, 1.0 / 3.0);
+  return answer;
+}
+
+TEST(SystemModel, KeepsTheWhiteningForUnknownInputs) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(save_system(folder.file("a"), small_system(), whitening_answer()));
+  const auto loaded = load_system(folder.file("a"));
+  ASSERT_TRUE(loaded) << to_string(loaded.error());
+  EXPECT_EQ(loaded->answer->novelty, whitening_answer().novelty);
+}
+
 TEST(SystemModel, KeepsHowTheTableOfItsTrainingWasRead) {
   const TemporaryFolder folder;
   SystemModel model{small_system(), small_answer()};
@@ -129,6 +144,9 @@ TEST(SystemModel, RefusesToSaveWhatCouldNotBeLoaded) {
   refused([](SystemAnswer& a) { a.labels = NeuronLabels({{}, {}}); });
   refused([](SystemAnswer& a) { a.labels = NeuronLabels({0, 2}); });
   refused([](SystemAnswer& a) { a.novelty = Novelty{0.1, 23, 1.0, {1.0}}; });
+  refused([](SystemAnswer& a) {
+    a.novelty = Novelty{0.1, 23, 1.0, {1.0, 1.0}, Matrix<double>(1, 1, 1.0)};
+  });
   const Recording recording = hand_recording(4, 8);
   const std::string joints = "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n";
   for (const std::string type : {"standardization", "one_hot", "som"}) {
@@ -158,7 +176,7 @@ TEST(SystemModel, RefusesEveryTruncationAndEveryTurnedBit) {
 
 Archive saved_model() {
   const TemporaryFolder folder;
-  EXPECT_TRUE(save_system(folder.file("a"), small_system(), wary_answer()));
+  EXPECT_TRUE(save_system(folder.file("a"), small_system(), whitening_answer()));
   return load_archive(folder.file("a")).value();
 }
 
@@ -311,6 +329,12 @@ TEST(SystemModel, RefusesThresholdsThatCannotBe) {
   for (const double scale : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     scales_refused(Array<double>{{2}, {1.0, scale}}, "not above 0");
   }
+  const std::size_t elements = whitening_answer().novelty->whitening.rows();
+  std::vector<double> values(elements * elements, 1.0);
+  expect_model_part_refused("novelty.whitening", Array<double>{{1, 1}, {1.0}}, "size of the map's");
+  values.back() = std::nan("");
+  expect_model_part_refused("novelty.whitening", Array<double>{{elements, elements}, values},
+                            "not finite");
 }
 
 TEST(SystemModel, SaysWhyAFileCannotBeRead) {

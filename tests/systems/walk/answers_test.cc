@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "somato/core/check.h"
 #include "somato/core/random.h"
 #include "somato/graph/further_learning.h"
@@ -59,6 +62,33 @@ TEST(Answers, AreThoseOfAllNeurons) {
   }
   EXPECT_GT(unknown, 0U);
   EXPECT_GT(known, 0U);
+}
+
+// The whitening leaves the first element only: novelty is the distance along it, while the answer
+// remains that of the nearest neuron.
+TEST(Answers, HaveTheNoveltyAfterWhitening) {
+  SystemModel model = model_with_threshold("growing_when_required");
+  const Som& som = map_of(model);
+  const std::size_t size = som.input_size();
+  const InputAnswer plain =
+      answer_to(model, SignalView::dense(testing::frames_of(recording(), "joints", 9).row(0)));
+  model.answer->novelty->whitening = Matrix<double>(size, size);
+  model.answer->novelty->whitening(0, 0) = 0.5;
+  for (std::size_t i = 0; i < 18; ++i) {
+    const Matrix<float> frames = testing::frames_of(recording(), "joints", i);
+    const InputAnswer answer = answer_to(model, SignalView::dense(frames.row(0)));
+    double least = std::numeric_limits<double>::infinity();
+    double scale = 0.0;
+    for (const std::size_t neuron : model.answer->labels.labelled()) {
+      const double distance =
+          0.5 * std::abs(double{frames(0, 0)} - double{som.weight(neuron, 0)});
+      if (distance >= least) continue;
+      least = distance;
+      scale = *model.answer->labels[neuron] == 0 ? 20.0 : 50.0;
+    }
+    EXPECT_NEAR(answer.novelty.value(), least / scale / 0.8, 1e-9);
+    if (i == 9) EXPECT_EQ(answer.nearest, plain.nearest);
+  }
 }
 
 TEST(Answers, WithoutAThresholdNothingIsUnknown) {

@@ -21,6 +21,8 @@ export const kMetrics: ReadonlyMap<string, MetricInfo> = new Map<string, MetricI
   ["unknown_noticed_at_rate", { words: "Unknown noticed at the false-alarm rate", range: "share" }],
   ["unknown_noticed_at_rate_of_distance", { words: "The same by distance only, at the rate", range: "share" }],
   ["unknown_false_alarms", { words: "Known read as unknown", range: "share" }],
+  ["unknown_false_alarms_low", { words: "Least false-alarm rate of the threshold (95 %)", range: "share" }],
+  ["unknown_false_alarms_high", { words: "Greatest false-alarm rate of the threshold (95 %)", range: "share" }],
   ["baseline_unknown_auroc", { words: "Unknown separated by the nearest neighbour (AUROC)", range: "share" }],
   ["baseline_unknown_noticed_at_rate", { words: "Unknown noticed by the nearest neighbour", range: "share" }],
   ["taught_accuracy", { words: "New class answered", range: "share" }],

@@ -1,0 +1,68 @@
+#include "maps/online/nearest_distances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "maps/online/growing_map.h"
+#include "maps/som/map_parts.h"
+
+namespace somato {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+// Squared, from the nearest row that differs.
+double nearest_row(std::span<const float> sample, const Matrix<float>& rows) {
+  double nearest = kNone;
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
+    const double squared = GrowingWeights::squared_distance(sample, rows.row(row));
+    if (squared > 0.0) nearest = std::min(nearest, squared);
+  }
+  return nearest;
+}
+
+Matrix<float> rows_of(const Samples& samples) {
+  Matrix<float> rows(samples.count(), samples.size());
+  for (std::size_t i = 0; i < samples.count(); ++i) write_dense(samples[i], rows.row(i));
+  return rows;
+}
+
+}  // namespace
+
+void NearestDistances::see(const Samples& samples, const Matrix<float>& kept) {
+  const bool knows_few = count_ < static_cast<double>(kFewDistances);
+  if (samples.count() < 2 && !knows_few) return;
+  const Matrix<float> rows = rows_of(samples);
+  const std::size_t queries = std::min(rows.rows(), kMostQueries);
+  for (std::size_t query = 0; query < queries; ++query) {
+    const auto sample = rows.row(query * rows.rows() / queries);
+    double nearest = nearest_row(sample, rows);
+    if (knows_few) nearest = std::min(nearest, nearest_row(sample, kept));
+    if (nearest == kNone) continue;
+    sum_ += std::sqrt(nearest);
+    count_ += 1.0;
+  }
+}
+
+void NearestDistances::save(Archive& archive, const std::string& name) const {
+  archive.add(name, Array<double>{{2}, {sum_, count_}});
+}
+
+Result<void> NearestDistances::load(const Archive& archive, const std::string& name,
+                                    const std::string& where) {
+  SOMATO_TRY(const auto found,
+             numbers_from(archive, name, 2, 0.0, std::numeric_limits<double>::max(), where));
+  const bool is_empty = found[1] == 0.0 && found[0] == 0.0;
+  const bool has_mean = found[1] >= 1.0 && found[0] > 0.0;
+  if (!is_empty && !has_mean) {
+    return damaged_model("'" + name + "' has no sum of distances with their number", where);
+  }
+  sum_ = found[0];
+  count_ = found[1];
+  return {};
+}
+
+}  // namespace somato
