@@ -132,8 +132,8 @@ void write(Similarity similarity, const ComparedPart& part, double left_out,
     const double x = part.x[i];
     const double a = part.a[i];
     const double b = part.b[i];
-    out[i] = similarity == Similarity::kManhattan ? std::fabs(x - b) - std::fabs(x - a)
-                                                  : x * (a - b);
+    out[i] =
+        similarity == Similarity::kManhattan ? std::fabs(x - b) - std::fabs(x - a) : x * (a - b);
   }
 }
 
@@ -154,7 +154,7 @@ double product(std::span<const float> a, std::span<const float> b) {
   return sum;
 }
 
-// What the map compares: a distance, or an inner product.
+// The map compares distances, or inner products.
 double compared_value(const SomParameters& parameters, const Compared& all,
                       const std::vector<float>& weights) {
   const bool multiplies =
@@ -203,8 +203,8 @@ Contributions contributions(const Som& som, const SignalView& input, DecidingNeu
   require(input.size == som.input_size(), "the input's size differs from the map's input size");
   const Compared all = compare(som, input, neurons);
   const SomParameters& parameters = som.parameters();
-  Contributions found{compared_value(parameters, all, all.a), compared_value(parameters, all, all.b),
-                      std::vector<double>(all.x.size())};
+  Contributions found{compared_value(parameters, all, all.a),
+                      compared_value(parameters, all, all.b), std::vector<double>(all.x.size())};
   if (!parameters.layers.empty()) {
     write_layers(parameters, all, found.values);
   } else {

@@ -156,13 +156,12 @@ TEST(Contributions, OfMissingElementsAreNothing) {
     const Contributions found = contributions(som, SignalView::dense(x), {3, 8});
     EXPECT_EQ(found.values[2], 0.0);
     EXPECT_EQ(found.values[5], 0.0);
-    const double difference = distance_of(similarity, x, row_of(som, 8)) -
-                              distance_of(similarity, x, row_of(som, 3));
+    const double difference =
+        distance_of(similarity, x, row_of(som, 8)) - distance_of(similarity, x, row_of(som, 3));
     EXPECT_NEAR(sum_of(found.values), difference, 1e-12) << choice_name(similarity);
   }
   const Som som(parameters_for(Similarity::kEuclidean), random_weights(random));
-  const Contributions none =
-      contributions(som, SignalView::dense(Row(kColumns, kMissing)), {0, 1});
+  const Contributions none = contributions(som, SignalView::dense(Row(kColumns, kMissing)), {0, 1});
   EXPECT_EQ(none.values, std::vector<double>(kColumns, 0.0));
   EXPECT_EQ(none.of_other, 0.0);
 }
@@ -245,8 +244,8 @@ TEST(Contributions, OfElementsThatHaveNoWeights) {
     const Som som(parameters, weights, StoredElements(kColumns, {1, 4}));
     Row x = random_row(random);
     x[6] = kMissing;
-    const double difference = distance_of(similarity, x, row_of(som, 5)) -
-                              distance_of(similarity, x, row_of(som, 0));
+    const double difference =
+        distance_of(similarity, x, row_of(som, 5)) - distance_of(similarity, x, row_of(som, 0));
     const Contributions found = contributions(som, SignalView::dense(x), {0, 5});
     EXPECT_EQ(found.values.size(), som.elements().count());
     EXPECT_NEAR(sum_of(found.values), difference, 1e-7) << choice_name(similarity);
@@ -334,10 +333,10 @@ TEST(DecidingNeurons, NeedTwoClasses) {
   const Samples samples = samples_of({random_row(random)});
   std::vector<std::optional<std::size_t>> one(kNeuronsOfMap, 2);
   EXPECT_THROW(deciding_neurons(som, NeuronLabels(one), samples), InvalidArgument);
-  EXPECT_THROW(deciding_neurons(
-                   som, NeuronLabels(std::vector<std::optional<std::size_t>>(kNeuronsOfMap)),
-                   samples),
-               InvalidArgument);
+  EXPECT_THROW(
+      deciding_neurons(som, NeuronLabels(std::vector<std::optional<std::size_t>>(kNeuronsOfMap)),
+                       samples),
+      InvalidArgument);
 }
 
 }  // namespace
