@@ -78,6 +78,9 @@ class ContributionReader {
   /// Those to the answer for an input.
   InputContributions read(const SignalView& input) const;
 
+  /// The same for each of many inputs, for any number of threads.
+  std::vector<InputContributions> read(const Samples& inputs, std::size_t threads = 1) const;
+
  private:
   struct Tracing;
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/core/threads.h"
 #include "somato/graph/answers.h"
 #include "systems/model/element_names.h"
 #include "systems/model/weight_folding.h"
@@ -204,6 +205,16 @@ InputContributions ContributionReader::read(const SignalView& input) const {
   SampleCollector one;
   one.add(input);
   return read(input, deciding(one.samples()).front());
+}
+
+std::vector<InputContributions> ContributionReader::read(const Samples& inputs,
+                                                         std::size_t threads) const {
+  const std::vector<DecidingNeurons> all = deciding(inputs, threads);
+  std::vector<InputContributions> found(inputs.count());
+  for_each_range(inputs.count(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = read(inputs[i], all[i]);
+  });
+  return found;
 }
 
 }  // namespace somato

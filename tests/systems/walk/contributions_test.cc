@@ -104,6 +104,7 @@ struct Problem {
   // Every exploration is checked against the definitions of neurons and distances.
   void check_sums() const {
     const auto deciding = reader.deciding(inputs, 2);
+    const auto all = reader.read(inputs, 3);
     for (std::size_t i = 0; i < inputs.count(); ++i) {
       const DecidingNeurons two = neurons_for(i);
       EXPECT_EQ(deciding[i].nearest, two.nearest);
@@ -114,6 +115,7 @@ struct Problem {
       EXPECT_NEAR(read.of_nearest, distance(i, two.nearest), 1e-9);
       EXPECT_NEAR(sum_of(read), distance(i, two.other) - distance(i, two.nearest), 1e-9);
       EXPECT_EQ(reader.read(inputs[i]).values, read.values);
+      EXPECT_EQ(all[i].values, read.values);
     }
   }
 
