@@ -7,6 +7,7 @@
 #include "somato/files/csv.h"
 #include "somato/files/npy.h"
 #include "somato/maps/clusters.h"
+#include "somato/maps/contributions.h"
 #include "somato/maps/labels.h"
 #include "somato/maps/layers.h"
 #include "somato/maps/som.h"

@@ -11,6 +11,7 @@
 #include "somato/codes/spectrum.h"
 #include "somato/codes/tensor_product.h"
 #include "somato/graph/answers.h"
+#include "somato/graph/contributions.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/further_learning.h"
 #include "somato/graph/live_system.h"

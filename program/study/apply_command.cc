@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "somato/files/csv.h"
 #include "somato/graph/answers.h"
 #include "somato/graph/system_model.h"
+#include "study/contribution_table.h"
 #include "study/system_fit.h"
 
 namespace somato::program {
@@ -75,7 +77,9 @@ Result<void> apply(const Arguments& arguments) {
   SOMATO_TRY(auto threads, read_threads(arguments));
   const std::string data = arguments.text("DATA");
   SOMATO_TRY(const auto format, read_format(arguments));
-  SOMATO_TRY(const auto model, load_system(arguments.text("SYSTEM")));
+  SOMATO_TRY(auto loaded, load_system(arguments.text("SYSTEM")));
+  const auto shared = std::make_shared<const SystemModel>(std::move(loaded));
+  const SystemModel& model = *shared;
   auto map = answering_map(model);
   if (!map) map.error().where = arguments.text("SYSTEM");
   if (!map) return fail(std::move(map.error()));
@@ -83,7 +87,12 @@ Result<void> apply(const Arguments& arguments) {
   how.format = format;
   SOMATO_TRY(const auto recording, read_study_data(how, data));
   SOMATO_TRY_VOID(check_fit(model.system, recording, data));
-  SOMATO_TRY(const auto given, answers(model, recording, threads));
+  SOMATO_TRY(const auto inputs, inputs_to_answer(model, recording, threads));
+  if (arguments.has("contributions")) {
+    SOMATO_TRY_VOID(
+        save_contributions(arguments.text("contributions"), shared, recording, inputs, threads));
+  }
+  const std::vector<InputAnswer> given = answers_to(model, inputs, threads);
   const Grid grid = grid_of(model.system, *map);
   std::vector<Table> tables;
   tables.reserve(given.size());
@@ -109,6 +118,10 @@ Command apply_command() {
             "of the system's training, with columns selected by name",
             true}},
           {output_flag("-o,--output", "CSV file for the results. Default: standard output"),
+           output_flag("--contributions",
+                       "CSV file for what separates the answer from the next class: a row for each "
+                       "exploration and element of a channel, whose contributions sum to the "
+                       "difference of the two distances"),
            {"--json", "Write JSON instead of CSV", false, false},
            {"--format", "Format of the original files, if it cannot be detected"},
            threads_flag()},

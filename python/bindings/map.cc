@@ -19,6 +19,7 @@
 #include "nanobind/stl/string.h"
 #include "nanobind/stl/vector.h"
 #include "parameters.h"
+#include "somato/maps/contributions.h"
 #include "somato/maps/layers.h"
 #include "somato/maps/refinement.h"
 #include "somato/maps/som_learner.h"
@@ -412,6 +413,41 @@ nb::object Map::labelled_winners(const SampleRows& rows, std::size_t threads) co
   return numbers_of(rows, [&](const Samples& part) { return reader.read(part).nearest; });
 }
 
+// Missing values are filled for the choice of the neurons only.
+nb::tuple Map::contributions(const SampleRows& rows, std::size_t threads) const {
+  check_rows(rows);
+  const Som& som = model_.som;
+  const std::size_t columns = som.input_size();
+  std::vector<std::int64_t> neurons(2 * rows.count());
+  std::vector<double> distances(2 * rows.count());
+  std::vector<double> values(rows.count() * columns);
+  unlocked([&](Interrupts& interrupts) {
+    for_each_part(taking(rows), rows, interrupts, [&](const Samples& part, std::size_t first) {
+      const auto deciding = deciding_neurons(som, model_.labels, part, threads);
+      const Samples known = taking(rows).prepare(rows.part(first, part.count()));
+      for_each_range(part.count(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const Contributions found = somato::contributions(som, known[i], deciding[i]);
+          const std::size_t row = first + i;
+          neurons[2 * row] = static_cast<std::int64_t>(deciding[i].nearest);
+          neurons[2 * row + 1] = static_cast<std::int64_t>(deciding[i].other);
+          distances[2 * row] = found.of_nearest;
+          distances[2 * row + 1] = found.of_other;
+          const auto listed = som.elements().listed();
+          for (std::size_t place = 0; place < found.values.size(); ++place) {
+            const std::size_t column = listed.empty() ? place : listed[place];
+            values[row * columns + column] = found.values[place];
+          }
+        }
+      });
+    });
+  });
+  const std::size_t pairs[] = {rows.count(), 2};
+  const std::size_t shape[] = {rows.count(), columns};
+  return nb::make_tuple(array_of(std::move(neurons), pairs), array_of(std::move(distances), pairs),
+                        array_of(std::move(values), shape));
+}
+
 nb::object Map::plane_positions(const SampleRows& rows) const {
   check_rows(rows);
   std::vector<double> coordinates;
@@ -556,6 +592,7 @@ void bind_map(nb::module_& module) {
       .def("activity", &Map::activity, nb::arg("rows"), nb::arg("threads"))
       .def("classes", &Map::classes, nb::arg("rows"), nb::arg("threads"))
       .def("labelled_winners", &Map::labelled_winners, nb::arg("rows"), nb::arg("threads"))
+      .def("contributions", &Map::contributions, nb::arg("rows"), nb::arg("threads"))
       .def("plane_positions", &Map::plane_positions, nb::arg("rows"))
       .def("quality", &Map::quality, nb::arg("rows"), nb::arg("threads"))
       .def("distances", &Map::distances, nb::arg("rows"), nb::arg("threads"))

@@ -63,6 +63,11 @@ class Map {
   /// The most similar neuron with a label.
   nanobind::object labelled_winners(const SampleRows& rows, std::size_t threads) const;
 
+  /// For the two labelled neurons that decide the class of each row, (rows, 2): their numbers,
+  /// their distances, and the contributions of the columns, (rows, columns), in which missing
+  /// values have none.
+  nanobind::tuple contributions(const SampleRows& rows, std::size_t threads) const;
+
   /// Quantization error, topographic error, hits and winners.
   nanobind::tuple quality(const SampleRows& rows, std::size_t threads) const;
 

@@ -19,6 +19,7 @@
 #include "parameters.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/graph/answers.h"
+#include "somato/graph/contributions.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/further_learning.h"
 #include "somato/graph/live_system.h"
@@ -156,6 +157,38 @@ nb::list answers_of(const TrainedSystem& trained, const Recording& recording, st
   return rows;
 }
 
+// For each exploration: the classes that are compared, the distances, and an array for each source.
+// First the sources: name, whether it is a channel, its elements; and the unit.
+nb::tuple contributions_of(const TrainedSystem& trained, const Recording& recording,
+                           std::size_t threads) {
+  value_or_throw(check_layout(trained.system(), layout_of(recording)));
+  const ContributionReader reader = value_or_throw(ContributionReader::build(trained.model));
+  std::vector<InputContributions> read;
+  Result<Samples> inputs;
+  {
+    const nb::gil_scoped_release released;
+    inputs = inputs_to_answer(*trained.model, recording, threads);
+    if (inputs) read = reader.read(*inputs, threads);
+  }
+  value_or_throw(std::move(inputs));
+  nb::list sources;
+  for (const ContributionSource& source : reader.sources()) {
+    sources.append(nb::make_tuple(source.name, source.is_channel, source.elements));
+  }
+  const std::vector<std::string>& classes = trained.model->answer->classes;
+  nb::list rows;
+  for (const InputContributions& one : read) {
+    nb::list values;
+    for (const std::vector<double>& of_source : one.values) {
+      const std::size_t shape[] = {of_source.size()};
+      values.append(array_of(std::vector<double>(of_source), shape));
+    }
+    rows.append(nb::make_tuple(classes[one.nearest], classes[one.other], one.of_nearest,
+                               one.of_other, std::move(values)));
+  }
+  return nb::make_tuple(std::move(sources), reader.unit(), std::move(rows));
+}
+
 // A copy that knows the name.
 TrainedSystem taught(const TrainedSystem& trained, const Recording& recording,
                      std::size_t exploration, const std::string& name) {
@@ -204,6 +237,7 @@ void bind_system(nb::module_& module) {
       .def("modules", &trained_modules)
       .def("outputs", &outputs_of, nb::arg("recording"), nb::arg("module"), nb::arg("threads"))
       .def("answers", &answers_of, nb::arg("recording"), nb::arg("threads"))
+      .def("contributions", &contributions_of, nb::arg("recording"), nb::arg("threads"))
       .def("taught", &taught, nb::arg("recording"), nb::arg("exploration"), nb::arg("name"))
       .def("picture", &picture_of)
       .def(

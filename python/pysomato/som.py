@@ -2,6 +2,7 @@
 
 import os
 import warnings
+from typing import NamedTuple
 
 import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
@@ -22,6 +23,24 @@ _OF_REFINEMENT = [parameter["name"] for parameter in _somato.refinement_paramete
 # In __init__, but not parameters of a map.
 _NOT_OF_MAP = {"random_state", "seed", "missing", "extra_columns", "unlabelled", "threads", "verbose",
                *_OF_REFINEMENT}
+
+
+class Contributions(NamedTuple):
+    """What separates the two neurons that decide the label of each row.
+
+    Attributes:
+        neurons: The numbers of the neuron that names the row and of the most similar one with
+            another label; int64 of (samples, 2).
+        distances: Their distances from the row, in the units of the map; for ``dot_product`` the
+            inner products; float64 of (samples, 2).
+        values: The contribution of each column. Each row sums to the difference of its distances,
+            the second minus the first, for ``dot_product`` to that of the inner products, the first
+            minus the second; float64 of (samples, columns).
+    """
+
+    neurons: np.ndarray
+    distances: np.ndarray
+    values: np.ndarray
 
 
 class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEstimator):
@@ -284,6 +303,25 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         X = self._checked(X)
         self._check_labelled("classify")
         return self.classes_[self.map_.classes(X, self._threads())]
+
+    def contributions(self, X) -> "Contributions":
+        """How much each column separates the label of a row from the next one.
+
+        The neurons that are compared are the labelled one most similar to the row, which names it in
+        ``classify``, and the most similar one of all other labels. A positive contribution makes the
+        row more similar to the first, a negative one to the other; docs/mathematics/som.md defines
+        them. Missing values contribute 0 and are no part of the distances; the neurons are those
+        that ``classify`` compares.
+
+        Raises:
+            UsageError: The map was trained without labels, or all its neurons have the same one.
+        """
+        X = self._checked(X)
+        self._check_labelled("contributions")
+        if len(set(self.map_.neuron_labels) - {None}) < 2:
+            raise UsageError("contributions compare neurons of two labels, but all have the same",
+                             f"{type(self).__name__}.contributions", "fit samples of two labels")
+        return Contributions(*self.map_.contributions(X, self._threads()))
 
     def predict_layer(self, X, layer) -> np.ndarray:
         """The columns of a layer, in their units, from those of the others; float64 of (samples, columns).

@@ -109,6 +109,32 @@ class TrainedSystem:
         return frame(["winner", "distance", "answer", "nearest", "novelty"],
                      [(*row[:4], math.nan if row[4] is None else row[4]) for row in rows])
 
+    def contributions(self, recording: Recording, *, threads=None):
+        """Which sensors separate the answer for each exploration from the next class, as a DataFrame,
+        like ``somato apply --contributions``.
+
+        It has a row for each exploration and element of a channel that the system reads: number of
+        the exploration from 0, the most similar class (``nearest``), the nearest ``other`` class, the
+        ``distance`` of the neuron of each, ``channel``, ``element`` and its ``contribution``. A
+        positive one makes the exploration more similar to ``nearest``; those of an exploration sum to
+        ``other_distance`` minus ``distance``, for a dot-product map, whose inner products these are,
+        to the opposite. ``attrs["unit"]`` is their unit, empty without one. Where a code cannot be
+        traced to a channel, such as that of a T-MPSOM, ``channel`` is the name of its module.
+
+        Raises:
+            DataError: Those of ``answers``; fewer than two classes have a neuron.
+        """
+        sources, unit, rows = self._inner.contributions(recording._inner,
+                                                        number_of_threads(threads, "contributions"))
+        found = frame(["exploration", "nearest", "other", "distance", "other_distance", "channel",
+                       "element", "contribution"],
+                      [(number, *of_both, name, element, value)
+                       for number, (*of_both, values) in enumerate(rows)
+                       for (name, _, elements), numbers in zip(sources, values)
+                       for element, value in zip(elements, numbers.tolist())])
+        found.attrs["unit"] = unit
+        return found
+
     def teach(self, recording: Recording, exploration: int, name: str) -> "TrainedSystem":
         """A system that answers ``name`` for this exploration, too (docs/continual.md, Teaching).
 

@@ -39,9 +39,14 @@ std::vector<InputAnswer> answers_to(const SystemModel& model, const Samples& inp
 /// for each frame.
 Result<std::size_t> answering_map(const SystemModel& model);
 
-/// The answers of a model for all explorations of a recording that fits it (see check_layout). The
-/// result is the same for any number of threads. Errors: those of answering_map(), those of
+/// The inputs of the map that answers, for all explorations of a recording that fits the model (see
+/// check_layout); the same for any number of threads. Errors: those of answering_map(), those of
 /// evaluate(), and kData for values that are too large for the map.
+Result<Samples> inputs_to_answer(const SystemModel& model, const Recording& recording,
+                                 std::size_t threads = 1);
+
+/// The answers of a model for all explorations of a recording that fits it (see check_layout). The
+/// result is the same for any number of threads. Errors: those of inputs_to_answer().
 Result<std::vector<InputAnswer>> answers(const SystemModel& model, const Recording& recording,
                                          std::size_t threads = 1);
 

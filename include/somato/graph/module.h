@@ -144,6 +144,9 @@ class Source : public Module {
   virtual const std::string& channel() const = 0;
   virtual std::size_t channel_elements() const = 0;
 
+  /// The number of each element of the output among those of the channel, from 0.
+  virtual const std::vector<std::size_t>& elements() const = 0;
+
   /// Writes frame `row` of the channel to `out`, which still contains the preceding frame unless
   /// this is the first one of the exploration. Errors (kData): an invalid value.
   virtual Result<void> read(const Channel& channel, std::size_t row, bool is_first,

@@ -13,36 +13,71 @@ namespace {
 
 constexpr std::size_t kMostEnds = 256;
 
-enum class Kind { kEnd, kPass, kUndo, kProduct, kConcatenation, kOneHot, kTMpsom };
+// kLeading: each element of the input has several neighbouring ones in the output; kTrailing: the
+// elements of the input repeat in the output.
+enum class Kind {
+  kEnd,
+  kPass,
+  kUndo,
+  kProduct,
+  kConcatenation,
+  kOneHot,
+  kTMpsom,
+  kLeading,
+  kTrailing
+};
 
 struct KnownType {
   const char* name;
-  Kind kind;
+  Kind of_weights;
+  Kind of_contributions;
   bool keeps_unit;
 };
 
-constexpr KnownType kTypes[] = {{"first", Kind::kPass, true},
-                                {"last", Kind::kPass, true},
-                                {"change", Kind::kPass, true},
-                                {"tare", Kind::kPass, true},
-                                {"high_pass", Kind::kPass, true},
-                                {"accumulate", Kind::kPass, false},
-                                {"leaky_accumulate", Kind::kPass, false},
-                                {"mean", Kind::kPass, true},
-                                {"normalization", Kind::kPass, false},
-                                {"scale", Kind::kUndo, true},
-                                {"logarithm", Kind::kUndo, true},
-                                {"standardization", Kind::kUndo, true},
-                                {"concatenation", Kind::kConcatenation, true},
-                                {"tensor_product", Kind::kProduct, false},
-                                {"one_hot", Kind::kOneHot, false},
-                                {"t_mpsom", Kind::kTMpsom, false}};
+constexpr KnownType kTypes[] = {{"first", Kind::kPass, Kind::kPass, true},
+                                {"last", Kind::kPass, Kind::kPass, true},
+                                {"change", Kind::kPass, Kind::kPass, true},
+                                {"tare", Kind::kPass, Kind::kPass, true},
+                                {"high_pass", Kind::kPass, Kind::kPass, true},
+                                {"mean_removal", Kind::kEnd, Kind::kPass, true},
+                                {"window", Kind::kEnd, Kind::kPass, true},
+                                {"onset_window", Kind::kEnd, Kind::kPass, true},
+                                {"delay", Kind::kEnd, Kind::kPass, true},
+                                {"accumulate", Kind::kPass, Kind::kPass, false},
+                                {"leaky_accumulate", Kind::kPass, Kind::kPass, false},
+                                {"mean", Kind::kPass, Kind::kPass, true},
+                                {"normalization", Kind::kPass, Kind::kPass, false},
+                                {"scale", Kind::kUndo, Kind::kPass, true},
+                                {"logarithm", Kind::kUndo, Kind::kPass, true},
+                                {"standardization", Kind::kUndo, Kind::kPass, true},
+                                {"resampling", Kind::kEnd, Kind::kTrailing, true},
+                                {"spectrum", Kind::kEnd, Kind::kLeading, false},
+                                {"number_code", Kind::kEnd, Kind::kLeading, false},
+                                {"concatenation", Kind::kConcatenation, Kind::kConcatenation, true},
+                                {"tensor_product", Kind::kProduct, Kind::kProduct, false},
+                                {"one_hot", Kind::kOneHot, Kind::kLeading, false},
+                                {"t_mpsom", Kind::kTMpsom, Kind::kEnd, false}};
 
-KnownType type_of(const System& system, std::size_t module) {
+// How a module passes on what is projected.
+struct Passage {
+  Kind kind = Kind::kEnd;
+  bool keeps_unit = true;
+};
+
+Passage passage_through(const System& system, std::size_t module, Folded folded) {
   for (const KnownType& type : kTypes) {
-    if (system.modules()[module].type->name == type.name) return type;
+    if (system.modules()[module].type->name != type.name) continue;
+    if (folded == Folded::kWeights) return {type.of_weights, type.keeps_unit};
+    // A module that is undone for weights has changed the unit of their differences.
+    return {type.of_contributions, type.keeps_unit && type.of_weights != Kind::kUndo};
   }
-  return {"", Kind::kEnd, true};
+  return {};
+}
+
+// Whether only the first input has the elements of the output: the other one of a spectrum is a
+// speed.
+bool has_one_source(Kind kind) {
+  return kind == Kind::kLeading || kind == Kind::kTrailing || kind == Kind::kPass;
 }
 
 double setting(const System& system, std::size_t module, const std::string& name, double absent) {
@@ -91,8 +126,8 @@ Matrix<float> shares(Matrix<float> receptive, const Matrix<float>& arbor) {
 
 }  // namespace
 
-WeightFolding::WeightFolding(const System& system, std::size_t input, bool unit)
-    : system_(system), input_(input), start_{unit, true} {
+WeightFolding::WeightFolding(const System& system, std::size_t input, bool unit, Folded folded)
+    : system_(system), input_(input), folded_(folded), start_{unit, true} {
   find_ends(input, start_, 0);
   if (ends_.size() <= kMostEnds) return;
   ends_ = {{input, unit}};
@@ -107,7 +142,7 @@ std::size_t WeightFolding::size_of(std::size_t module) const {
 // A loop never ends by itself, and neither need ways that part and meet again and again.
 void WeightFolding::find_ends(std::size_t module, Way way, std::size_t depth) {
   if (ends_.size() > kMostEnds) return;
-  const KnownType type = type_of(system_, module);
+  const Passage type = passage_through(system_, module, folded_);
   if (type.kind == Kind::kEnd || depth > system_.modules().size()) {
     ends_.push_back({module, way.unit});
     return;
@@ -119,10 +154,12 @@ void WeightFolding::find_ends(std::size_t module, Way way, std::size_t depth) {
   way.single = type.kind == Kind::kOneHot || (way.single && !sums);
   for (const std::size_t input : system_.modules()[module].inputs) {
     find_ends(input, way, depth + 1);
+    if (has_one_source(type.kind)) break;
   }
 }
 
 void WeightFolding::remember(std::size_t module) {
+  if (folded_ == Folded::kContributions) return;
   if (auto ranges = one_hot_ranges_of(system_, module)) ranges_[module] = std::move(*ranges);
   if (auto found = standardization_of(system_, module)) {
     standardizations_[module] = std::move(*found);
@@ -143,7 +180,7 @@ WeightFolding::Rows WeightFolding::fold(FoldedWeights weights) const {
 
 void WeightFolding::fold(std::size_t module, FoldedWeights weights, Way way, std::size_t depth,
                          Rows& rows) const {
-  const Kind kind = whole_ ? Kind::kEnd : type_of(system_, module).kind;
+  const Kind kind = whole_ ? Kind::kEnd : passage_through(system_, module, folded_).kind;
   if (kind == Kind::kEnd || depth > system_.modules().size()) {
     rows.push_back(dense(weights));
     return;
@@ -155,21 +192,27 @@ void WeightFolding::fold(std::size_t module, FoldedWeights weights, Way way, std
     weights = all_of(bin_centres(module, weights));
     way.single = true;
   }
+  if (kind == Kind::kLeading || kind == Kind::kTrailing) {
+    weights = all_of(sums_of_places(module, weights));
+  }
   if (kind == Kind::kUndo && way.single) weights = all_of(undone(module, weights));
   fold(system_.modules()[module].inputs.front(), std::move(weights), way, depth + 1, rows);
 }
 
-// Element (i, j, ...) of the product belongs to i of the first input, j of the second, ...
+// Element (i, j, ...) of the product belongs to i of the first input, j of the second, ... It is 0
+// unless all of its factors are there, so that they share a contribution equally.
 void WeightFolding::fold_product(std::size_t module, const FoldedWeights& weights, Way way,
                                  std::size_t depth, Rows& rows) const {
   way.single = false;
   std::size_t after = weights.size;
+  const auto factors = static_cast<double>(system_.modules()[module].inputs.size());
+  const double share = folded_ == Folded::kContributions ? 1.0 / factors : 1.0;
   for (const std::size_t input : system_.modules()[module].inputs) {
     const std::size_t size = size_of(input);
     after /= size;
     std::vector<double> sums(size);
     for (std::size_t i = 0; i < weights.values.size(); ++i) {
-      sums[place(weights, i) / after % size] += weights.values[i];
+      sums[place(weights, i) / after % size] += share * weights.values[i];
     }
     fold(input, all_of(std::move(sums)), way, depth + 1, rows);
   }
@@ -202,6 +245,20 @@ void WeightFolding::fold_t_mpsom(std::size_t module, const FoldedWeights& weight
     }
     fold(system_.modules()[module].inputs[a], all_of(std::move(sums)), way, depth + 1, rows);
   }
+}
+
+// The sums of the output's elements that belong to each element of the first input.
+std::vector<double> WeightFolding::sums_of_places(std::size_t module,
+                                                  const FoldedWeights& weights) const {
+  const std::size_t size = size_of(system_.modules()[module].inputs.front());
+  const bool leads = passage_through(system_, module, folded_).kind == Kind::kLeading;
+  const std::size_t each = weights.size / size;
+  std::vector<double> sums(size);
+  for (std::size_t i = 0; i < weights.values.size(); ++i) {
+    const std::size_t at = place(weights, i);
+    sums[leads ? at / each : at % size] += weights.values[i];
+  }
+  return sums;
 }
 
 std::vector<double> WeightFolding::bin_centres(std::size_t module,

@@ -25,13 +25,20 @@ struct FoldingEnd {
   bool unit = false;
 };
 
-/// The projection of weights from the output of the module `input` back to channels; see
-/// channel_planes().
+/// The kind of values that are projected, which decides how they pass through a module.
+enum class Folded {
+  kWeights,        ///< Values in place of inputs: see channel_planes().
+  kContributions,  ///< Parts of a sum, which is preserved: see ContributionReader.
+};
+
+/// The projection of weights or contributions from the output of the module `input` back to
+/// channels.
 class WeightFolding {
  public:
   /// `unit`: whether the weights are in the unit of the input. The system must have learned,
   /// outlive this object, and not change.
-  WeightFolding(const System& system, std::size_t input, bool unit);
+  WeightFolding(const System& system, std::size_t input, bool unit,
+                Folded folded = Folded::kWeights);
 
   /// In the order of fold(); only the input if more than 256 paths lead back from it.
   const std::vector<FoldingEnd>& ends() const { return ends_; }
@@ -60,12 +67,14 @@ class WeightFolding {
                           std::size_t depth, Rows& rows) const;
   void fold_t_mpsom(std::size_t module, const FoldedWeights& weights, Way way, std::size_t depth,
                     Rows& rows) const;
+  std::vector<double> sums_of_places(std::size_t module, const FoldedWeights& weights) const;
   std::vector<double> bin_centres(std::size_t module, const FoldedWeights& weights) const;
   std::vector<double> undone(std::size_t module, const FoldedWeights& weights) const;
   std::size_t size_of(std::size_t module) const;
 
   const System& system_;
   std::size_t input_;
+  Folded folded_;
   Way start_;
   std::vector<FoldingEnd> ends_;
   bool plain_ = true;

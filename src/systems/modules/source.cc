@@ -97,6 +97,7 @@ class ChannelModule : public Source {
 
   const std::string& channel() const override { return parameters_.channel; }
   std::size_t channel_elements() const override { return source_elements_; }
+  const std::vector<std::size_t>& elements() const override { return elements_; }
 
   Result<void> read(const Channel& channel, std::size_t row, bool is_first,
                     SignalBuffer& out) const override {

@@ -67,8 +67,8 @@ Result<std::size_t> answering_map(const SystemModel& model) {
   return map;
 }
 
-Result<std::vector<InputAnswer>> answers(const SystemModel& model, const Recording& recording,
-                                         std::size_t threads) {
+Result<Samples> inputs_to_answer(const SystemModel& model, const Recording& recording,
+                                 std::size_t threads) {
   SOMATO_TRY(const auto map, answering_map(model));
   std::vector<std::size_t> all(recording.explorations.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -87,7 +87,14 @@ Result<std::vector<InputAnswer>> answers(const SystemModel& model, const Recordi
     }
     inputs.add(seen);
   }
-  return answers_to(model, inputs.samples(), threads);
+  return inputs.samples();
+}
+
+Result<std::vector<InputAnswer>> answers(const SystemModel& model, const Recording& recording,
+                                         std::size_t threads) {
+  return inputs_to_answer(model, recording, threads).map([&](const Samples& inputs) {
+    return answers_to(model, inputs, threads);
+  });
 }
 
 }  // namespace somato

@@ -1,6 +1,7 @@
 #include "views/session/system_reading.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -23,6 +24,25 @@ std::vector<std::vector<std::size_t>> neurons_by_class(const SystemAnswer& answe
     neurons[*answer.labels[neuron]].push_back(neuron);
   }
   return neurons;
+}
+
+// All elements of the channel, so that they have the places of its frames.
+ChannelContributions channel_contributions(const ContributionSource& source,
+                                           const std::vector<double>& values) {
+  std::size_t size = 1;
+  for (const std::size_t length : source.shape) size *= length;
+  ChannelContributions all{source.name,
+                           std::vector<float>(size, std::numeric_limits<float>::quiet_NaN())};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    all.values[source.places[i]] = static_cast<float>(values[i]);
+  }
+  return all;
+}
+
+std::optional<ContributionReader> contribution_reader(
+    const std::shared_ptr<const SystemModel>& model) {
+  auto reader = ContributionReader::build(model);
+  return reader ? std::optional(*std::move(reader)) : std::nullopt;
 }
 
 std::vector<std::size_t> all_modules(const System& system) {
@@ -49,6 +69,7 @@ SystemReading::SystemReading(std::shared_ptr<const SystemModel> model, std::size
     : model_(std::move(model)),
       map_(map),
       neurons_of_class_(neurons_by_class(*model_->answer)),
+      contributions_(contribution_reader(model_)),
       walk_(model_->system, all_modules(model_->system), Outputs::kLatest) {
   const SystemAnswer& answer = *model_->answer;
   if (!answer.novelty) return;
@@ -86,7 +107,7 @@ std::vector<CandidateClass> SystemReading::candidates(const SignalView& input) c
   for (std::size_t number = 0; number < neurons_of_class_.size(); ++number) {
     if (neurons_of_class_[number].empty()) continue;
     const std::size_t nearest = som.winner_among(neurons_of_class_[number], input, workspace);
-    candidates.push_back({number, som.distance(input, nearest, workspace)});
+    candidates.push_back({number, som.distance(input, nearest, workspace), nearest});
   }
   std::sort(candidates.begin(), candidates.end(),
             [&](const CandidateClass& a, const CandidateClass& b) {
@@ -96,6 +117,20 @@ std::vector<CandidateClass> SystemReading::candidates(const SignalView& input) c
               return key(a) < key(b);
             });
   return candidates;
+}
+
+std::optional<ReadingContributions> SystemReading::contributions(
+    const std::vector<CandidateClass>& candidates) const {
+  if (!contributions_ || candidates.size() < 2) return {};
+  const InputContributions read =
+      contributions_->read(input_of(map_), {candidates[0].neuron, candidates[1].neuron});
+  ReadingContributions all{read.other, contributions_->unit(), {}};
+  const std::vector<ContributionSource>& sources = contributions_->sources();
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (!sources[i].is_channel || sources[i].places.size() > kMostNeuronsShown) continue;
+    all.channels.push_back(channel_contributions(sources[i], read.values[i]));
+  }
+  return all;
 }
 
 MapReading SystemReading::read_map(std::size_t module, const SignalView& input) const {
@@ -123,6 +158,7 @@ Result<std::optional<Reading>> SystemReading::read() {
     }
   }
   reading.candidates = candidates(input_of(map_));
+  reading.contributions = contributions(reading.candidates);
   if (novelty_ && !reading.candidates.empty()) {
     const CandidateClass& nearest = reading.candidates.front();
     reading.novelty = novelty_->of(input_of(map_), nearest.number, nearest.distance);

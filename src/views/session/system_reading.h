@@ -9,6 +9,7 @@
 
 #include "maps/reading/novelty_reader.h"
 #include "somato/core/result.h"
+#include "somato/graph/contributions.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
 #include "systems/walk/walk.h"
@@ -27,6 +28,20 @@ struct MapReading {
 struct CandidateClass {
   std::size_t number = 0;  ///< The number of the class.
   double distance = 0.0;
+  std::size_t neuron = 0;  ///< The nearest neuron of the class.
+};
+
+/// The contributions of all elements of a channel to a reading; NaN for those that are not read.
+struct ChannelContributions {
+  std::string channel;
+  std::vector<float> values;
+};
+
+/// The contributions of channels to the choice between the nearest class and the next one.
+struct ReadingContributions {
+  std::size_t other = 0;  ///< The number of the next class.
+  std::string unit;       ///< As ContributionReader::unit().
+  std::vector<ChannelContributions> channels;
 };
 
 /// The reading of a system for an exploration up to a moment.
@@ -35,6 +50,7 @@ struct Reading {
   std::vector<std::pair<std::size_t, MapReading>> maps;
   std::vector<CandidateClass> candidates;  ///< The nearest, which is the answer, first; or none.
   std::optional<double> novelty = {};      ///< That of the nearest, if there is a threshold.
+  std::optional<ReadingContributions> contributions = {};  ///< If there is a next class.
 
   /// The name that is read: that of the nearest class, or "unknown" if it is too far. There must be
   /// a candidate.
@@ -78,12 +94,15 @@ class SystemReading {
 
   std::vector<CandidateClass> candidates(const SignalView& input) const;
   SignalView input_of(std::size_t module) const;
+  std::optional<ReadingContributions> contributions(
+      const std::vector<CandidateClass>& candidates) const;
   MapReading read_map(std::size_t module, const SignalView& input) const;
 
   std::shared_ptr<const SystemModel> model_;
   std::size_t map_;
   std::vector<std::vector<std::size_t>> neurons_of_class_;
   std::optional<NoveltyReader> novelty_;
+  std::optional<ContributionReader> contributions_;  // of two classes or more
   Walk walk_;
   const Exploration* exploration_ = nullptr;  // that the walk goes through
 };

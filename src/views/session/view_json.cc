@@ -87,6 +87,23 @@ void add_maps(JsonWriter& text, const SystemModel* model, const Reading* reading
   text.close('}');
 }
 
+void add_contributions(JsonWriter& text, const std::vector<std::string>& classes,
+                       const std::optional<ReadingContributions>& contributions) {
+  text.key("contributions");
+  if (!contributions) {
+    text.add("null");
+    return;
+  }
+  text.open('{');
+  text.key("other").add("{}", json_text(Json(classes[contributions->other])));
+  text.key("unit").add("{}", json_text(Json(contributions->unit)));
+  text.key("channels").open('{');
+  for (const ChannelContributions& one : contributions->channels) {
+    text.key(one.channel).numbers(one.values);
+  }
+  text.close('}').close('}');
+}
+
 void add_reading(JsonWriter& text, const SystemModel* model, const Reading* reading) {
   text.key("reading");
   if (reading == nullptr || reading->candidates.empty()) {
@@ -109,7 +126,9 @@ void add_reading(JsonWriter& text, const SystemModel* model, const Reading* read
     text.separate();
     text.add(R"({{"name":{},"distance":)", name(one)).finite("{:.6g}", one.distance).add("}}");
   }
-  text.close(']').close('}');
+  text.close(']');
+  add_contributions(text, classes, reading->contributions);
+  text.close('}');
 }
 
 }  // namespace

@@ -107,6 +107,49 @@ TEST_F(Apply, SavesWhatItShowsForAnyNumberOfThreads) {
   }
 }
 
+TEST_F(Apply, SavesTheContributionsOfSensors) {
+  train_system();
+  const std::string shown = output_of(
+      {"apply", "out/system.somato", kTrials, "--contributions", "sensors.csv", "--threads", "2"});
+  EXPECT_EQ(shown, output_of({"apply", "out/system.somato", kTrials}));
+  const auto rows = rows_of(read("sensors.csv"));
+  EXPECT_EQ(rows[0], (Words{"exploration", "source", "nearest_object", "other_object", "distance",
+                            "other_distance", "channel", "element", "\"contribution (deg)\""}));
+  const Recording recording = import_icub_grasp(kTrials).value();
+  const Channel& joints = **find_channel(recording.explorations[0], "joints");
+  const std::size_t elements = joints.element_names.size();
+  ASSERT_EQ(rows.size(), 1 + 30 * elements);
+  const auto answers = rows_of(shown);
+  for (std::size_t i = 0; i < 30; ++i) {
+    double sum = 0.0;
+    for (std::size_t e = 0; e < elements; ++e) {
+      const Words& row = rows[1 + i * elements + e];
+      EXPECT_EQ(row[0], std::to_string(i + 1));
+      EXPECT_EQ(row[2], answers[i + 1][6]);
+      EXPECT_NE(row[3], row[2]);
+      EXPECT_EQ(row[6], "joints");
+      EXPECT_EQ(row[7], joints.element_names[e]);
+      sum += std::stod(row[8]);
+    }
+    const Words& row = rows[1 + i * elements];
+    EXPECT_GE(std::stod(row[4]), std::stod(answers[i + 1][5]) - 1e-6);
+    EXPECT_NEAR(sum, std::stod(row[5]) - std::stod(row[4]), 1e-5);
+  }
+}
+
+TEST_F(Apply, RefusesContributionsOfOneClass) {
+  train_system();
+  SystemModel model = load_system(path("out/system.somato")).value();
+  const std::size_t neurons = model.answer->labels.neurons();
+  model.answer->labels = NeuronLabels(std::vector<std::optional<std::size_t>>(neurons, 0));
+  model.answer->votes = {};
+  ASSERT_TRUE(save_system(path("one.somato"), model));
+  write("sensors.csv", "old");
+  expect_refused(1, {"apply", "one.somato", kTrials, "--contributions", "sensors.csv"},
+                 {"contributions compare two classes", "train the system"});
+  EXPECT_EQ(read("sensors.csv"), "old");
+}
+
 TEST_F(Apply, RefusesOtherFiles) {
   train_system();
   train();

@@ -360,6 +360,24 @@ export interface Reading {
   novelty: number | null;
   /** By distance, the nearest first. */
   candidates: Candidate[];
+  /** The sensors that separate the nearest class from the next one; null without a next one. */
+  contributions: ReadingContributions | null;
+}
+
+/**
+ * The contributions of channels to the difference of the distances of two classes: positive where
+ * the reading is more similar to the nearest class, negative where it is more similar to the other.
+ */
+export interface ReadingContributions {
+  /** The next class. */
+  other: string;
+  /** The unit of the contributions; empty if they have that of no channel. */
+  unit: string;
+  /**
+   * For each channel that the system reads the contribution of each element; null for an element
+   * that it does not read.
+   */
+  channels: Record<string, NumberOrNull[]>;
 }
 
 /** A class, and the distance of its nearest neuron. */

@@ -34,7 +34,7 @@ export function fakeFrame(exploration: number, frame: number): Frame {
     poses: fakePoses(height, wrist, joints),
     modules: modulesOf(joints, touch, share),
     maps: { map: answerOf(exploration, share) },
-    reading: readingOf(exploration, share),
+    reading: readingOf(exploration, share, touch),
   };
 }
 
@@ -112,7 +112,7 @@ function answerOf(exploration: number, share: number): Frame["maps"][string] {
   return { winner: at.row * 15 + at.column, activity };
 }
 
-function readingOf(exploration: number, share: number): Reading {
+function readingOf(exploration: number, share: number, touch: number[]): Reading {
   const right = exploration % 3;
   const candidates = kThings.map(({ name }, i) => ({
     name,
@@ -126,6 +126,12 @@ function readingOf(exploration: number, share: number): Reading {
     confidence: round(1 - candidates[0]!.distance / candidates[1]!.distance),
     novelty: null,
     candidates,
+    contributions: {
+      other: candidates[1]!.name,
+      unit: "N",
+      // The fifth sensor is not read; sensors with odd numbers speak for the other class.
+      channels: { touch: touch.map((value, i) => (i === 4 ? null : round((i % 2 ? -0.1 : 0.1) * value))) },
+    },
   };
 }
 

@@ -57,6 +57,41 @@ describe("what it shows", () => {
     await screenshot(view.page, "view-light");
   });
 
+  it("colours the skin by contributions to the reading", async () => {
+    const panel = view.page.locator(".panel-skin");
+    view.server.show(1, 50);
+    await frameShown(view.page, 50);
+    const skin = panel.locator(".skin").first();
+    await panel.getByLabel("contributions").check();
+    const contributions = panel.locator(".contributions");
+    expect(await skin.isVisible()).toBe(false);
+    const given = fakeFrame(1, 50).reading!.contributions!;
+    const values = given.channels["touch"]!;
+    const end = Math.max(...values.map((value) => Math.abs(value ?? 0)));
+    const fills = await contributions.locator("[data-cell]").evaluateAll((cells) => cells.map((cell) => cell.getAttribute("fill")));
+    values.forEach((value, i) => {
+      const share = value === null ? null : (value / end + 1) / 2;
+      expect(fills[i], kTaxels[i]).toEqual(share === null ? "none" : expect.stringMatching(/^#/));
+      if (share === null) return;
+      const [is, exact] = [parsed(fills[i]!), parsed(sequenceColour(share))];
+      is.forEach((part, k) => expect(Math.abs(part - exact[k]!)).toBeLessThan(6));
+    });
+    const reading = fakeFrame(1, 50).reading!;
+    expect(await contributions.innerText()).toContain(`closer to ${reading.answer} than to ${given.other}`);
+    const first = values.indexOf(values.find((value) => Math.abs(value ?? 0) === end)!);
+    expect(await contributions.locator("li").first().innerText()).toContain(kTaxels[first]!);
+    await screenshot(view.page, "view-contributions");
+    for (const colorScheme of ["light", "dark"] as const) {
+      await view.page.emulateMedia({ colorScheme });
+      expect(await accessibilityViolations(view.page, rulesFor(colorScheme, 1280))).toEqual([]);
+    }
+    view.server.send("frame", { ...fakeFrame(1, 51), reading: { ...reading, contributions: null } });
+    await soon(() => contributions.innerText()).toContain("There is no reading of two classes.");
+    await panel.getByLabel("contributions").uncheck();
+    expect(await contributions.isVisible()).toBe(false);
+    expect(await skin.isVisible()).toBe(true);
+  });
+
   it("shows missing values as missing, not as a sensor at rest", async () => {
     view.server.showWithout(1, 40, [0, 1]);
     await frameShown(view.page, 40);

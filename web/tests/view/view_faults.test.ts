@@ -129,7 +129,7 @@ describe("when things go wrong", () => {
     state.maps[0]!.classes = state.maps[0]!.classes.map(() => evil);
     await view.open(state);
     const frame = fakeFrame(0, 30);
-    frame.reading = { answer: evil, confidence: 0.5, novelty: null, candidates: [{ name: evil, distance: 1 }] };
+    frame.reading = { answer: evil, confidence: 0.5, novelty: null, candidates: [{ name: evil, distance: 1 }], contributions: { other: evil, unit: evil, channels: { [evil]: [1] } } };
     view.server.send("frame", frame);
     await frameShown(view.page, 30);
     await view.page.locator(".panel-map [data-cell='101']").click();

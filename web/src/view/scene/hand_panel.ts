@@ -6,6 +6,7 @@ import type { Frame, State } from "../data";
 import { Exploring } from "../page/exploring";
 import type { Model } from "../session/model";
 import { Panel } from "../page/panel";
+import { contributionsSwitch } from "./contributions";
 import { holdScale, Readings, readingsAt } from "./readings";
 import { makeRenderer, SceneView } from "./scene_view";
 import { themeColour } from "../page/theme_colours";
@@ -29,6 +30,7 @@ export class HandPanel {
   private readonly tools: HTMLButtonElement[];
   private readonly readings: Readings;
   private readonly holding: HTMLElement;
+  private readonly explaining: HTMLElement;
   private pointed: number | null = null;
 
   constructor(private readonly model: Model) {
@@ -42,7 +44,8 @@ export class HandPanel {
     this.tools = this.makeTools();
     this.readings = new Readings(model);
     this.holding = holdScale(model);
-    this.panel.addTools(...this.tools, this.holding);
+    this.explaining = contributionsSwitch(model);
+    this.panel.addTools(...this.tools, this.explaining, this.holding);
     const stage = element("div", { class: "stage" }, [this.note, this.place, this.readings.root, this.readout]);
     this.panel.add(stage, new Exploring(model).root);
     this.watch();
@@ -104,7 +107,7 @@ export class HandPanel {
     const channels = this.model.shownState.value?.channels ?? [];
     const shown = readingsAt("stage", channels, this.model.hasBody);
     this.readings.take(shown);
-    this.holding.hidden = shown.skins.length === 0;
+    this.holding.hidden = this.explaining.hidden = shown.skins.length === 0;
     const isShown = shown.skins.length + shown.senses.length > 0;
     this.panel.rename(shown.skins.length > 0 ? "Skin" : isShown ? "Senses" : "Body");
   }

@@ -6,6 +6,7 @@ import { element, fill } from "../../parts/dom";
 import { isSkin } from "../../parts/hands/skin_layout";
 import type { Frame } from "../data";
 import type { Model } from "../session/model";
+import { Contributions } from "./contributions";
 import { Senses } from "./senses";
 import { Skin } from "./skin";
 
@@ -39,11 +40,14 @@ export class Readings {
   readonly root = element("div", { class: "readings" });
   private readonly place = element("div", { class: "skin-place" });
   private readonly senses = new Senses();
+  private readonly contributions: Contributions;
   private skins: readonly Skin[] = [];
   private built = "";
 
   constructor(private readonly model: Model) {
-    this.root.append(this.place, this.senses.root);
+    this.contributions = new Contributions(model);
+    this.root.append(this.place, this.contributions.root, this.senses.root);
+    model.explains.watch(() => this.arrange());
     model.question.watch(() => this.select());
   }
 
@@ -57,14 +61,23 @@ export class Readings {
       this.place,
       this.skins.map(({ root }) => root),
     );
-    this.place.hidden = shown.skins.length === 0;
+    this.contributions.build(shown.skins);
+    this.arrange();
     this.root.hidden = shown.skins.length + shown.senses.length === 0;
     this.senses.build(shown.senses);
     this.select();
   }
 
+  private arrange(): void {
+    const explains = this.model.explains.value && this.skins.length > 0;
+    this.place.hidden = explains || this.skins.length === 0;
+    if (explains) this.contributions.show(this.model.frame.value?.reading ?? null);
+    else this.contributions.hide();
+  }
+
   show(frame: Frame): void {
     for (const skin of this.skins) skin.show(frame);
+    if (!this.contributions.root.hidden) this.contributions.show(frame.reading);
     this.senses.show(frame);
     this.place.dataset["end"] = String(this.model.scale.end);
   }

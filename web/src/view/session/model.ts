@@ -34,6 +34,7 @@ export class Model implements Source {
   readonly pointed = new Observable<{ time: number } | null>(null); // in a strip, s
   readonly module = new Observable<string | null>(null);
   readonly map = new Observable<string | null>(null);
+  readonly explains = new Observable(false); // whether skins show contributions
   readonly theme = new Observable(0); // set when the colours have changed
   readonly history = new History();
   readonly scale = new ForceScale();

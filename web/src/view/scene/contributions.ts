@@ -1,0 +1,116 @@
+// The skin coloured by contributions: how much each sensor separates the class that is read from the
+// next one. Lightness rises from the next class to the class that is read, so that it is readable in grey.
+
+import type { ChannelData } from "../../parts/data";
+import { element, fill, write } from "../../parts/dom";
+import { handMap, type HandPicture } from "../../parts/hands/hand_map";
+import { readable, withUnit } from "../../parts/numbers";
+import type { Reading, State } from "../data";
+import type { Model } from "../session/model";
+
+type Given = NonNullable<Reading["contributions"]>;
+
+const kSize = 300;
+const kMostPitch = 75;
+const kMostListed = 3;
+
+export class Contributions {
+  readonly root = element("div", { class: "contributions" });
+  private readonly place = element("div", { class: "skin-place" });
+  private readonly legend = element("p", { class: "small" });
+  private readonly list = element("ol", { class: "small", "aria-label": "Greatest contributions" });
+  private channels: readonly ChannelData[] = [];
+  private pictures: { name: string; picture: HandPicture }[] = [];
+
+  constructor(private readonly model: Model) {
+    this.root.append(this.place, this.legend, this.list);
+  }
+
+  build(channels: readonly ChannelData[]): void {
+    this.channels = channels;
+    this.hide();
+  }
+
+  hide(): void {
+    this.root.hidden = true;
+    this.pictures = [];
+    fill(this.place, []);
+  }
+
+  private draw(): void {
+    this.pictures = this.channels.map((channel) => ({ name: channel.name, picture: pictureOf(channel) }));
+    fill(
+      this.place,
+      this.pictures.map(({ picture }) => picture.element),
+    );
+  }
+
+  show(reading: Reading | null): void {
+    this.root.hidden = false;
+    if (this.pictures.length === 0) this.draw();
+    const given = reading?.contributions ?? null;
+    this.place.hidden = this.list.hidden = given === null;
+    if (reading === null || given === null) {
+      write(this.legend, "There is no reading of two classes.");
+      return;
+    }
+    const end = greatest(given);
+    for (const { name, picture } of this.pictures) {
+      picture.element.hidden = given.channels[name] === undefined;
+      picture.setValues(given.channels[name] ?? [], [-end, end]);
+    }
+    write(this.legend, wordsOf(reading.candidates[0]?.name ?? reading.answer, given.other));
+    this.listGreatest(given);
+  }
+
+  private listGreatest(given: Given): void {
+    const words = strongest(given, this.model.shownState.value);
+    const items = [...this.list.children];
+    if (items.length !== words.length) {
+      fill(
+        this.list,
+        words.map((one) => element("li", {}, [one])),
+      );
+      return;
+    }
+    items.forEach((item, i) => write(item as HTMLElement, words[i]!));
+  }
+}
+
+function wordsOf(nearest: string, other: string): string {
+  return `Bright: the sensor is closer to ${nearest} than to ${other}. Dark: it is closer to ${other}. They sum to the difference of the two distances.`;
+}
+
+function pictureOf(channel: ChannelData): HandPicture {
+  const label = `Contributions of ${channel.name}`;
+  const picture = handMap(channel, { label, size: kSize, mostPitch: kMostPitch, palm: true });
+  picture.element.querySelector("output")?.setAttribute("aria-live", "off"); // changes with every frame
+  return picture;
+}
+
+function greatest(given: Given): number {
+  const all = Object.values(given.channels).flat();
+  return all.reduce<number>((most, value) => Math.max(most, Math.abs(value ?? 0)), 0) || 1;
+}
+
+/** The elements of all channels that contribute most, for either class. */
+function strongest(given: Given, state: State | null): string[] {
+  const all = Object.entries(given.channels).flatMap(([name, values]) => {
+    const elements = state?.channels.find((channel) => channel.name === name)?.elements ?? [];
+    return values.map((value, i) => ({ name: `${name} ${elements[i] ?? String(i + 1)}`, value: value ?? 0 }));
+  });
+  return all
+    .filter(({ value }) => value !== 0)
+    .sort((a, b) => Math.abs(b.value) - Math.abs(a.value))
+    .slice(0, kMostListed)
+    .map(({ name, value }) => `${name}: ${value > 0 ? "+" : ""}${withUnit(readable(value), given.unit)}`);
+}
+
+/** Whether the skin is coloured by contributions instead of readings. */
+export function contributionsSwitch(model: Model): HTMLElement {
+  const box = element("input", { type: "checkbox" });
+  box.addEventListener("change", () => model.explains.set(box.checked));
+  model.explains.watch((on) => (box.checked = on));
+  const title = "Colour the sensors by how much they separate the class that is read from the next one";
+  return element("label", { class: "hold", title }, [box, "contributions"]);
+}
