@@ -1,0 +1,187 @@
+"""Classifiers that are compared. Each learns a training part and names the samples of a test part.
+
+A method is a function of (vectors, labels, test vectors, seed), which returns the labels that it gives to
+the test vectors and the number of vectors of the samples' length that it keeps for this. It sees vectors in
+the units of the sensors, so that means and deviations are those of the training part.
+"""
+
+import inspect
+from dataclasses import dataclass
+from typing import Callable
+
+import numpy as np
+from sklearn.discriminant_analysis import LinearDiscriminantAnalysis
+from sklearn.neighbors import KNeighborsClassifier
+from sklearn.preprocessing import StandardScaler
+from sklearn.svm import SVC
+
+import pysomato
+
+from . import block_folds
+
+SEEDS = 20
+CANDIDATES = tuple((metric, scale) for metric in ("euclidean", "manhattan") for scale in ("raw", "standardized"))
+GROWING = """[study]
+name = "growing"
+label = "label"
+protocols = ["train_is_test"]
+
+[module.columns]
+type = "channel"
+channel = "columns"
+
+[module.vector]
+type = "last"
+input = "columns"
+
+[module.map]
+type = "growing_when_required"
+input = "vector"
+activity_threshold = 0.4
+habituation_threshold = 2.0
+insertion_share = 1.0
+"""
+
+
+class MissingFeature(Exception):
+    """The installed pysomato lacks what a method requires."""
+
+
+@dataclass(frozen=True)
+class Method:
+    """`classify` as above; `settings` in words, which a stored cell depends on; whether the seed affects the
+    result; the folds; and a function that raises MissingFeature."""
+    name: str
+    settings: str
+    classify: Callable
+    is_random: bool = False
+    folds: Callable = block_folds.blocks
+    check: Callable = lambda: None
+    uses_somato: bool = False
+
+
+def standardized(train, test):
+    """Both parts with the means and deviations of the training part; constant columns become 0."""
+    scaler = StandardScaler().fit(train)
+    return scaler.transform(train), scaler.transform(test)
+
+
+def scaled(train, test, scale):
+    return standardized(train, test) if scale == "standardized" else (train, test)
+
+
+# Nearest neighbours
+
+def neighbour(metric, scale):
+    def classify(train, labels, test, seed):
+        train, test = scaled(train, test, scale)
+        found = KNeighborsClassifier(1, metric=metric, algorithm="brute").fit(train, labels).predict(test)
+        return found, len(train)
+    return classify
+
+
+def accuracy_within(classify, train, labels, seed):
+    """The accuracy of a method on block folds of the training part."""
+    right = [classify(train[inner], labels[inner], train[held], seed)[0] == labels[held]
+             for inner, held in block_folds.divisions(block_folds.blocks(labels))]
+    return np.concatenate(right).mean()
+
+
+def chosen_candidate(train, labels):
+    """The distance and the scale with the highest accuracy inside the training part; the first in a tie."""
+    accuracies = [accuracy_within(neighbour(*candidate), train, labels, 0) for candidate in CANDIDATES]
+    return CANDIDATES[int(np.argmax(accuracies))]
+
+
+def best_neighbour(train, labels, test, seed):
+    return neighbour(*chosen_candidate(train, labels))(train, labels, test, seed)
+
+
+def half_of_samples(train, labels, test, seed):
+    """The same, which keeps a random half of the samples of each class, at least one."""
+    random = np.random.default_rng(seed)
+    kept = np.concatenate([random.permutation(np.flatnonzero(labels == name))[:max(1, np.sum(labels == name) // 2)]
+                           for name in np.unique(labels)])
+    kept.sort()
+    return neighbour(*chosen_candidate(train, labels))(train[kept], labels[kept], test, seed)
+
+
+# Other classifiers
+
+def linear_discriminant(train, labels, test, seed):
+    train, test = standardized(train, test)
+    model = LinearDiscriminantAnalysis(solver="lsqr", shrinkage="auto").fit(train, labels)
+    return model.predict(test), len(model.means_)
+
+
+def support_vectors(train, labels, test, seed):
+    train, test = standardized(train, test)
+    model = SVC(C=10.0, kernel="rbf", gamma="scale").fit(train, labels)
+    return model.predict(test), len(model.support_vectors_)
+
+
+# Maps
+
+def som(most_share=None, **parameters):
+    """A map of standardized vectors with the defaults of pysomato, except for `parameters`. With
+    `most_share` it has at most this share of the training samples as neurons."""
+    def classify(train, labels, test, seed):
+        train, test = standardized(train, test)
+        sides = {} if most_share is None else sides_within(most_share, len(train))
+        model = pysomato.SOMClassifier(**sides, **parameters, random_state=seed, threads=1)
+        model.fit(train.astype(np.float32), labels)
+        return model.predict(test.astype(np.float32)), len(model.weights_.reshape(-1, train.shape[1]))
+    return classify
+
+
+def sides_within(share, samples):
+    """Rows and columns of the greatest approximately square map with at most so many neurons, with the
+    iterations and the final radius of a map of automatic size."""
+    most = max(2, int(share * samples))
+    rows = max(1, int(np.sqrt(most)))
+    columns = most // rows
+    return {"rows": rows, "columns": columns, "iterations": max(20000, 100 * rows * columns), "radius_end": 0.5}
+
+
+def growing(train, labels, test, seed):
+    train, test = standardized(train, test)
+    grown = grown_map(train, labels, seed)
+    return grown.classify(test.astype(np.float32)), len(grown.weights_.reshape(-1, train.shape[1]))
+
+
+def grown_map(train, labels, seed):
+    """The map of GROWING that has learned the rows of `train`, named by their labels."""
+    import tempfile
+    from pathlib import Path
+
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "growing.toml")
+        file.write_text(GROWING, encoding="utf-8")
+        system = pysomato.System(file)
+    recording = pysomato.Recording.from_table(train.astype(np.float32), labels=labels)
+    return pysomato.study(recording, system, threads=1, progress=False, seeds=1, first_seed=seed).som
+
+
+def needs_refinement():
+    if "refine" not in inspect.signature(pysomato.SOM.__init__).parameters:
+        raise MissingFeature(f"pysomato {pysomato.__version__} has no SOM(refine=...)")
+
+
+METHODS = {method.name: method for method in (
+    Method("default", "SOMClassifier() on standardized vectors", som(), is_random=True, uses_somato=True),
+    Method("manhattan", 'SOMClassifier(similarity="manhattan") on standardized vectors',
+           som(similarity="manhattan"), is_random=True, uses_somato=True),
+    Method("refined", 'SOMClassifier(refine="glvq"), at most half as many neurons as samples', som(0.5, refine="glvq"),
+           is_random=True, check=needs_refinement, uses_somato=True),
+    Method("refined_manhattan", 'the same with similarity="manhattan"',
+           som(0.5, refine="glvq", similarity="manhattan"), is_random=True, check=needs_refinement, uses_somato=True),
+    Method("growing", GROWING, growing, is_random=True, uses_somato=True),
+    Method("best_neighbour", "nearest neighbour, distance and scale chosen inside the training part",
+           best_neighbour),
+    *(Method(f"{metric}_{scale}", "nearest neighbour", neighbour(metric, scale)) for metric, scale in CANDIDATES),
+    Method("half_of_samples", "best_neighbour with a random half of each class", half_of_samples, is_random=True),
+    Method("linear_discriminant", 'LinearDiscriminantAnalysis(solver="lsqr", shrinkage="auto"), standardized',
+           linear_discriminant),
+    Method("support_vectors", 'SVC(C=10, kernel="rbf", gamma="scale"), standardized', support_vectors),
+    Method("best_neighbour_interleaved", "best_neighbour with interleaved folds", best_neighbour,
+           folds=block_folds.interleaved))}
