@@ -4,21 +4,39 @@ keep neighbouring explorations together.
 
 usage: accuracy_study.py --data FOLDER --out OUT [--seeds N] [--jobs N] [--only SET,...] [--methods NAME,...]
 
-FOLDER contains the data sets (docs/public-data.md). The script requires the packages of
-tests/python/requirements.txt and pysomato; build/dev/python/environment/bin/python with
-PYTHONPATH=build/dev/python has them. OUT gets accuracy/SET/METHOD.json and clusters/SET/METHOD.json;
+FOLDER contains the data sets (docs/public-data.md). The script requires pysomato and the packages of
+tests/python/requirements.txt. If pysomato is not installed, it runs in the environment of a build of this
+tree (build/release or build/dev). OUT gets accuracy/SET/METHOD.json and clusters/SET/METHOD.json;
 stored cells are not computed again, unless the data, the settings or the library have changed.
-OUT/accuracy.md is the page that scripts/accuracy_page.py makes of them, docs/accuracy.md.
+OUT/accuracy.md is docs/accuracy.md, which scripts/accuracy_page.py makes of them.
 """
 
 import argparse
 import os
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")  # processes share the cores
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+TREE = Path(__file__).resolve().parents[1]
+
+
+def use_environment_of_build():
+    """Runs this script again in the environment of a build if pysomato is not installed."""
+    if find_spec("pysomato"):
+        return
+    for build in ("release", "dev"):
+        folder = TREE / "build" / build / "python"
+        python = folder / "environment" / "bin" / "python"
+        if python.exists() and (folder / "pysomato").exists() and os.environ.get("PYTHONPATH") != str(folder):
+            os.execve(python, [python, *sys.argv], {**os.environ, "PYTHONPATH": str(folder)})
+    sys.exit("accuracy_study: pysomato is not installed; run './dev build dev' or 'pip install .' first")
+
+
+if __name__ == "__main__":
+    use_environment_of_build()
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # processes share the cores
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from accuracy import cells, data, methods, study  # noqa: E402: after the variables
 
@@ -65,12 +83,13 @@ def main():
     check_methods(options.methods)
     print(f"reading {len(options.only)} sets", file=sys.stderr, flush=True)
     made = study.make_vectors(options.data, options.out, options.only)
+    study.describe(options.out, options.seeds)
     failed = cells.run(study.cells(options.out, made, options.methods, options.seeds), options.jobs)
     for name, error in failed.items():
         print(f"\n{name}: {error}", file=sys.stderr)
     if failed:
         sys.exit(f"accuracy_study: {len(failed)} cells failed: {', '.join(failed)}")
-    page = Path(__file__).with_name("accuracy_page.py")
+    page = TREE / "scripts" / "accuracy_page.py"
     made_page = subprocess.run([sys.executable, page, options.out], check=True, capture_output=True, text=True)
     (options.out / "accuracy.md").write_text(made_page.stdout, encoding="utf-8")
 

@@ -46,32 +46,44 @@ def name_of(cell):
 
 
 def _compute_and_store(cell):
-    cell.store(cell.compute(*cell.arguments))
+    """Returns the error, or nothing."""
+    try:
+        cell.store(cell.compute(*cell.arguments))
+    except Exception:  # noqa: BLE001: another cell may succeed; the report contains the error
+        return traceback.format_exc().strip()
+    return None
+
+
+def _outcomes(missing, jobs):
+    """Yields each cell when it is computed, with its error."""
+    if jobs == 1:
+        for cell in missing:
+            yield cell, _compute_and_store(cell)
+        return
+    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:  # threads do not survive a fork
+        running = {pool.submit(_compute_and_store, cell): cell for cell in missing}
+        try:
+            for future in as_completed(running):
+                yield running[future], future.result()
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
 
 
 def run(cells, jobs, out=sys.stderr):
     """Computes the cells that are not stored, `jobs` at once, and reports each one.
 
     Returns:
-        The names and the errors of cells that failed; the others are stored nevertheless.
+        The errors of cells that failed, by their names; the others are stored nevertheless.
     """
     missing = [cell for cell in cells if cell.stored() is None]
     print(f"{len(cells) - len(missing)} of {len(cells)} cells are stored", file=out, flush=True)
     failed, begin = {}, time.monotonic()
-    if not missing:
-        return failed
-    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        running = {pool.submit(_compute_and_store, cell): cell for cell in missing}
-        try:
-            for done, future in enumerate(as_completed(running), 1):
-                cell, seconds = running[future], time.monotonic() - begin
-                error = future.exception()
-                if error:
-                    failed[name_of(cell)] = "".join(traceback.format_exception(error)).strip()
-                left = seconds / done * (len(missing) - done)
-                print(f"{done} of {len(missing)}: {name_of(cell)}{' failed' if error else ''}; "
-                      f"{seconds:.0f} s, about {left:.0f} s left", file=out, flush=True)
-        except KeyboardInterrupt:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
+    for done, (cell, error) in enumerate(_outcomes(missing, jobs), 1):
+        if error:
+            failed[name_of(cell)] = error
+        seconds = time.monotonic() - begin
+        left = seconds / done * (len(missing) - done)
+        print(f"{done} of {len(missing)}: {name_of(cell)}{' failed' if error else ''}; {seconds:.0f} s, "
+              f"about {left:.0f} s left", file=out, flush=True)
     return failed

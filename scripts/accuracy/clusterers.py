@@ -22,8 +22,9 @@ CLUSTERS = 10  # objects of the set
 
 @dataclass(frozen=True)
 class Clusterer:
-    """`cluster` as above, its settings in words, and whether the number of clusters is given."""
+    """`cluster` as above, its settings, on which stored cells depend, and its name in tables."""
     name: str
+    text: str
     settings: str
     cluster: Callable
     uses_somato: bool = True
@@ -85,12 +86,13 @@ def growing_parts(vectors, seed):
 
 
 CLUSTERERS = {clusterer.name: clusterer for clusterer in (
-    Clusterer("map_10", "SOMClusterer(count=10)", map_clusters(CLUSTERS)),
-    Clusterer("map_automatic", "SOMClusterer()", map_clusters(None)),
-    Clusterer("growing_10", methods.GROWING + "ward, 10", growing_clusters),
-    Clusterer("growing_parts", methods.GROWING + "connected parts", growing_parts),
-    Clusterer("sequential_k_means", "MacQueen, one pass", sequential_k_means, uses_somato=False),
-    Clusterer("k_means", "KMeans(10, n_init=10)", k_means, uses_somato=False))}
+    Clusterer("map_10", "map, 10 clusters of neurons", "SOMClusterer(count=10)", map_clusters(CLUSTERS)),
+    Clusterer("map_automatic", "map, automatic number", "SOMClusterer()", map_clusters(None)),
+    Clusterer("growing_10", "growing map, 10 clusters of neurons", f"{methods.GROWING} ward, 10", growing_clusters),
+    Clusterer("growing_parts", "growing map, connected parts", f"{methods.GROWING} connected parts", growing_parts),
+    Clusterer("sequential_k_means", "sequential k-means, 10", "MacQueen, one pass", sequential_k_means,
+              uses_somato=False),
+    Clusterer("k_means", "k-means, 10, all at once", "KMeans(10, n_init=10)", k_means, uses_somato=False))}
 
 
 def agreement(labels, clusters):

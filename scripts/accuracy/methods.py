@@ -6,7 +6,9 @@ the units of the sensors, so that means and deviations are those of the training
 """
 
 import inspect
+import tempfile
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Callable
 
 import numpy as np
@@ -49,15 +51,22 @@ class MissingFeature(Exception):
 
 @dataclass(frozen=True)
 class Method:
-    """`classify` as above; `settings` in words, which a stored cell depends on; whether the seed affects the
-    result; the folds; and a function that raises MissingFeature."""
+    """`classify` as above, and its settings, on which stored cells depend.
+
+    `text` names it in tables. `is_random`: the seed affects the result. `like`: the nearest neighbour with
+    the distance and the scale of a map. `groups`: the groups of sets that it is used for. `check` raises
+    MissingFeature.
+    """
     name: str
+    text: str
     settings: str
     classify: Callable
     is_random: bool = False
+    uses_somato: bool = False
+    like: str = ""
+    groups: tuple = ("touch", "points")
     folds: Callable = block_folds.blocks
     check: Callable = lambda: None
-    uses_somato: bool = False
 
 
 def standardized(train, test):
@@ -122,6 +131,10 @@ def support_vectors(train, labels, test, seed):
 
 # Maps
 
+def neurons(model):
+    return len(model.positions_)
+
+
 def som(most_share=None, **parameters):
     """A map of standardized vectors with the defaults of pysomato, except for `parameters`. With
     `most_share` it has at most this share of the training samples as neurons."""
@@ -130,7 +143,7 @@ def som(most_share=None, **parameters):
         sides = {} if most_share is None else sides_within(most_share, len(train))
         model = pysomato.SOMClassifier(**sides, **parameters, random_state=seed, threads=1)
         model.fit(train.astype(np.float32), labels)
-        return model.predict(test.astype(np.float32)), len(model.weights_.reshape(-1, train.shape[1]))
+        return model.predict(test.astype(np.float32)), neurons(model)
     return classify
 
 
@@ -143,23 +156,47 @@ def sides_within(share, samples):
     return {"rows": rows, "columns": columns, "iterations": max(20000, 100 * rows * columns), "radius_end": 0.5}
 
 
+def rows_of(vectors, labels):
+    """A recording as a table of numbers gives it: an exploration of one frame for each row."""
+    return pysomato.Recording.from_table(vectors.astype(np.float32), labels=labels)
+
+
+def study_of(recording, system, seed):
+    """A system that has learned all explorations of a recording."""
+    return pysomato.study(recording, system, threads=1, progress=False, protocols=["train_is_test"], seeds=1,
+                          first_seed=seed)
+
+
+_suggestions = {}  # by the values of the vectors: labels do not affect a suggestion, and seeds neither
+
+
+def suggestion(values, recording):
+    if values not in _suggestions:
+        _suggestions[values] = pysomato.suggest(recording, label="label", threads=1, progress=False)
+    return _suggestions[values]
+
+
+def suggested(train, labels, test, seed):
+    """The system that `suggest` writes for the training part, which it sees as a table, in the sensors' units."""
+    recording = rows_of(train, labels)
+    outcome = study_of(recording, suggestion(train.tobytes(), recording), seed)
+    answers = outcome.system.answers(rows_of(test, np.full(len(test), "unknown")), threads=1)
+    return answers["nearest"].to_numpy(), neurons(outcome.som)
+
+
 def growing(train, labels, test, seed):
     train, test = standardized(train, test)
     grown = grown_map(train, labels, seed)
-    return grown.classify(test.astype(np.float32)), len(grown.weights_.reshape(-1, train.shape[1]))
+    return grown.classify(test.astype(np.float32)), neurons(grown)
 
 
 def grown_map(train, labels, seed):
     """The map of GROWING that has learned the rows of `train`, named by their labels."""
-    import tempfile
-    from pathlib import Path
-
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "growing.toml")
         file.write_text(GROWING, encoding="utf-8")
         system = pysomato.System(file)
-    recording = pysomato.Recording.from_table(train.astype(np.float32), labels=labels)
-    return pysomato.study(recording, system, threads=1, progress=False, seeds=1, first_seed=seed).som
+    return study_of(rows_of(train, labels), system, seed).som
 
 
 def needs_refinement():
@@ -167,21 +204,34 @@ def needs_refinement():
         raise MissingFeature(f"pysomato {pysomato.__version__} has no SOM(refine=...)")
 
 
+ALL = ("touch", "points", "early")
+EUCLIDEAN, MANHATTAN = "euclidean_standardized", "manhattan_standardized"
+HALF = "at most half as many neurons as samples"
 METHODS = {method.name: method for method in (
-    Method("default", "SOMClassifier() on standardized vectors", som(), is_random=True, uses_somato=True),
-    Method("manhattan", 'SOMClassifier(similarity="manhattan") on standardized vectors',
-           som(similarity="manhattan"), is_random=True, uses_somato=True),
-    Method("refined", 'SOMClassifier(refine="glvq"), at most half as many neurons as samples', som(0.5, refine="glvq"),
-           is_random=True, check=needs_refinement, uses_somato=True),
-    Method("refined_manhattan", 'the same with similarity="manhattan"',
-           som(0.5, refine="glvq", similarity="manhattan"), is_random=True, check=needs_refinement, uses_somato=True),
-    Method("growing", GROWING, growing, is_random=True, uses_somato=True),
-    Method("best_neighbour", "nearest neighbour, distance and scale chosen inside the training part",
-           best_neighbour),
-    *(Method(f"{metric}_{scale}", "nearest neighbour", neighbour(metric, scale)) for metric, scale in CANDIDATES),
-    Method("half_of_samples", "best_neighbour with a random half of each class", half_of_samples, is_random=True),
-    Method("linear_discriminant", 'LinearDiscriminantAnalysis(solver="lsqr", shrinkage="auto"), standardized',
-           linear_discriminant),
-    Method("support_vectors", 'SVC(C=10, kernel="rbf", gamma="scale"), standardized', support_vectors),
-    Method("best_neighbour_interleaved", "best_neighbour with interleaved folds", best_neighbour,
-           folds=block_folds.interleaved))}
+    Method("default", "map", "SOMClassifier(), standardized", som(),
+           is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL),
+    Method("manhattan", "map, Manhattan", 'SOMClassifier(similarity="manhattan"), standardized',
+           som(similarity="manhattan"), is_random=True, uses_somato=True, like=MANHATTAN),
+    Method("suggested", "system of `suggest`", "suggest(label=...), raw", suggested,
+           is_random=True, uses_somato=True, groups=("touch",)),
+    Method("refined", "map, refined", f'SOMClassifier(refine="glvq"), {HALF}, standardized', som(0.5, refine="glvq"),
+           is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL, check=needs_refinement),
+    Method("refined_manhattan", "map, Manhattan, refined",
+           f'SOMClassifier(refine="glvq", similarity="manhattan"), {HALF}, standardized',
+           som(0.5, refine="glvq", similarity="manhattan"),
+           is_random=True, uses_somato=True, like=MANHATTAN, check=needs_refinement),
+    Method("growing", "growing map", f"growing_when_required as in docs/continual.md, standardized\n{GROWING}", growing,
+           is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL),
+    Method("best_neighbour", "best nearest neighbour", "distance and scale chosen inside the training part",
+           best_neighbour, groups=ALL),
+    *(Method(f"{metric}_{scale}", f"nearest neighbour, {metric.capitalize()}, {scale}", "KNeighborsClassifier(1)",
+             neighbour(metric, scale)) for metric, scale in CANDIDATES),
+    Method("half_of_samples", "best nearest neighbour, random half", "a random half of each class", half_of_samples,
+           is_random=True),
+    Method("linear_discriminant", "linear discriminant",
+           'LinearDiscriminantAnalysis(solver="lsqr", shrinkage="auto"), standardized', linear_discriminant),
+    Method("support_vectors", "SVM", 'SVC(C=10, kernel="rbf", gamma="scale"), standardized', support_vectors,
+           groups=ALL),
+    Method("best_neighbour_interleaved", "best nearest neighbour, interleaved folds",
+           "distance and scale chosen inside the training part, by blocks", best_neighbour,
+           groups=("touch",), folds=block_folds.interleaved))}

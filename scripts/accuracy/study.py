@@ -1,6 +1,7 @@
 """The cells of the study: which sets, methods and clusterers there are, and how each cell is computed."""
 
 import hashlib
+import json
 import time
 from pathlib import Path
 
@@ -12,7 +13,6 @@ import pysomato
 from . import block_folds, clusterers, data, methods
 from .cells import Cell
 
-METHODS_OF_EARLY = ("default", "refined", "growing", "best_neighbour", "support_vectors")
 CLUSTERED = (data.early_name(1.0, False), data.early_name(1.0, True))
 
 
@@ -88,9 +88,21 @@ def identity(samples, entry, seeds):
 
 def methods_of(set_name, chosen):
     """The chosen methods that a set is compared by."""
-    if data.SETS[set_name].group == "early":
-        return [name for name in chosen if name in METHODS_OF_EARLY]
-    return list(chosen)
+    return [name for name in chosen if data.SETS[set_name].group in methods.METHODS[name].groups]
+
+
+def describe(out, seeds):
+    """Writes the names and words of all sets, methods and clusterers, from which the page is made."""
+    content = {
+        "seeds": seeds, "folds": block_folds.FOLDS, "pysomato": pysomato.__version__,
+        "scikit-learn": sklearn.__version__,
+        "sets": [{"name": one.name, "text": one.text, "group": one.group} for one in data.SETS.values()],
+        "methods": [{"name": one.name, "text": one.text, "settings": one.settings, "like": one.like,
+                     "is_map": one.uses_somato, "groups": one.groups} for one in methods.METHODS.values()],
+        "clustered": CLUSTERED,
+        "clusterers": [{"name": one.name, "text": one.text} for one in clusterers.CLUSTERERS.values()]}
+    Path(out).mkdir(parents=True, exist_ok=True)
+    Path(out, "study.json").write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
 
 
 def cells(out, made, chosen, seeds):
