@@ -35,7 +35,7 @@ def nearest_centres(vectors, centres):
     return np.argmin(((vectors[:, None] - centres[None]) ** 2).sum(axis=2), axis=1)
 
 
-def sequential_k_means(vectors, seed, count=CLUSTERS):
+def sequential_centres(vectors, seed, count=CLUSTERS):
     """MacQueen (1967): the first vectors are the centres; each further one moves the nearest centre by
     1/n, where n is the number of vectors that this centre has had. One pass in random order.
     """
@@ -45,7 +45,11 @@ def sequential_k_means(vectors, seed, count=CLUSTERS):
         nearest = nearest_centres(vector[None], centres)[0]
         had[nearest] += 1
         centres[nearest] += (vector - centres[nearest]) / had[nearest]
-    return nearest_centres(vectors, centres)
+    return centres
+
+
+def sequential_k_means(vectors, seed):
+    return nearest_centres(vectors, sequential_centres(vectors, seed))
 
 
 def k_means(vectors, seed):
@@ -62,7 +66,7 @@ def map_clusters(count):
 
 def grown(vectors, seed):
     """A growing map of the vectors. A study requires two classes; they do not affect the training."""
-    return methods.grown_map(vectors, np.where(np.arange(len(vectors)) % 2, "odd", "even"), seed)
+    return methods.grown_map(methods.GROWING, vectors, np.where(np.arange(len(vectors)) % 2, "odd", "even"), seed)
 
 
 def growing_clusters(vectors, seed):

@@ -43,6 +43,7 @@ activity_threshold = 0.4
 habituation_threshold = 2.0
 insertion_share = 1.0
 """
+BY_NAMES = "by_names = true\n"  # of growing_when_required
 
 
 class MissingFeature(Exception):
@@ -184,19 +185,34 @@ def suggested(train, labels, test, seed):
     return answers["nearest"].to_numpy(), neurons(outcome.som)
 
 
-def growing(train, labels, test, seed):
-    train, test = standardized(train, test)
-    grown = grown_map(train, labels, seed)
-    return grown.classify(test.astype(np.float32)), neurons(grown)
+def growing(text):
+    def classify(train, labels, test, seed):
+        train, test = standardized(train, test)
+        grown = grown_map(text, train, labels, seed)
+        return grown.classify(test.astype(np.float32)), neurons(grown)
+    return classify
 
 
-def grown_map(train, labels, seed):
-    """The map of GROWING that has learned the rows of `train`, named by their labels."""
+def system_of(text):
     with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder, "growing.toml")
-        file.write_text(GROWING, encoding="utf-8")
-        system = pysomato.System(file)
+        file = Path(folder, "system.toml")
+        file.write_text(text, encoding="utf-8")
+        return pysomato.System(file)
+
+
+def grown_map(text, train, labels, seed):
+    """The map of a system like GROWING that has learned the rows of `train`, named by their labels. It may
+    have as many neurons as rows."""
+    system = system_of(f"{text}most_neurons = {len(train)}\n")
     return study_of(rows_of(train, labels), system, seed).som
+
+
+def needs_names():
+    """Keys of modules are checked when a system is trained."""
+    try:
+        grown_map(GROWING + BY_NAMES, np.eye(4), np.array(["a", "a", "b", "b"]), 1)
+    except pysomato.UsageError as error:
+        raise MissingFeature(f"growing_when_required of pysomato {pysomato.__version__} has no by_names") from error
 
 
 def needs_refinement():
@@ -220,8 +236,12 @@ METHODS = {method.name: method for method in (
            f'SOMClassifier(refine="glvq", similarity="manhattan"), {HALF}, standardized',
            som(0.5, refine="glvq", similarity="manhattan"),
            is_random=True, uses_somato=True, like=MANHATTAN, check=needs_refinement),
-    Method("growing", "growing map", f"growing_when_required as in docs/continual.md, standardized\n{GROWING}", growing,
-           is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL),
+    Method("growing", "growing map",
+           f"growing_when_required as in docs/continual.md, most_neurons = samples, standardized\n{GROWING}",
+           growing(GROWING), is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL),
+    Method("growing_by_names", "growing map, by names", f"the same with {BY_NAMES}{GROWING}",
+           growing(GROWING + BY_NAMES), is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL,
+           check=needs_names),
     Method("best_neighbour", "best nearest neighbour", "distance and scale chosen inside the training part",
            best_neighbour, groups=ALL),
     *(Method(f"{metric}_{scale}", f"nearest neighbour, {metric.capitalize()}, {scale}", "KNeighborsClassifier(1)",

@@ -1,8 +1,10 @@
 """The cells of the study: which sets, methods and clusterers there are, and how each cell is computed."""
 
+import functools
 import hashlib
 import json
 import time
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -13,13 +15,18 @@ import pysomato
 from . import block_folds, clusterers, data, methods
 from .cells import Cell
 
+VERSION = 2  # of the content of a cell; increase it when the content changes
 CLUSTERED = (data.early_name(1.0, False), data.early_name(1.0, True))
 
 
+@functools.cache
 def library_hash():
-    """The first digits of the SHA-256 of the compiled library, on which all maps depend."""
-    (library,) = Path(pysomato.__file__).parent.glob("_somato*.so")
-    return hashlib.sha256(library.read_bytes()).hexdigest()[:12]
+    """The first digits of the SHA-256 of the installed package, on which all maps depend."""
+    folder = Path(pysomato.__file__).parent
+    digest = hashlib.sha256()
+    for file in sorted([*folder.glob("_somato*.so"), *folder.glob("*.py")]):
+        digest.update(file.read_bytes())
+    return digest.hexdigest()[:12]
 
 
 def stored_vectors(out, name):
@@ -43,18 +50,23 @@ def make_vectors(folder, out, names):
 
 
 def run_of_folds(method, samples, seed):
-    """The accuracy over the samples of all folds, each tested once; the mean number of vectors kept and of
-    training samples, and the mean seconds of learning and naming, of a fold.
+    """The accuracy over the samples of all folds, each tested once; the accuracy on the samples that were
+    learned (`learned`); the mean number of vectors kept and of training samples, and the mean seconds of
+    learning and naming, of a fold.
     """
-    right, kept, trained, seconds = [], [], [], []
+    right, known, kept, trained, seconds = [], [], [], [], []
     for train, test in block_folds.divisions(method.folds(samples.labels)):
+        named = np.concatenate([test, train])
         begin = time.process_time()
-        found, vectors = method.classify(samples.vectors[train], samples.labels[train], samples.vectors[test], seed)
+        found, vectors = method.classify(samples.vectors[train], samples.labels[train], samples.vectors[named], seed)
         seconds.append(time.process_time() - begin)
-        right.append(found == samples.labels[test])
+        is_right = found == samples.labels[named]
+        right.append(is_right[:len(test)])
+        known.append(is_right[len(test):])
         kept.append(int(vectors))
         trained.append(len(train))
-    return {"seed": seed, "accuracy": float(np.concatenate(right).mean()), "kept": float(np.mean(kept)),
+    return {"seed": seed, "accuracy": float(np.concatenate(right).mean()),
+            "learned": float(np.concatenate(known).mean()), "kept": float(np.mean(kept)),
             "trained": float(np.mean(trained)), "seconds": float(np.mean(seconds))}
 
 
@@ -67,6 +79,7 @@ def classification(out, set_name, method_name, seeds):
     """The content of a cell of a set and a method."""
     method, samples = methods.METHODS[method_name], load_vectors(out, set_name)
     used = range(1, seeds + 1) if method.is_random else [1]
+    warnings.simplefilter("ignore", pysomato.LabelWarning)  # the empty hand of the iCub is a class called "none"
     return {**size_of(samples), "is_random": method.is_random,
             "runs": [run_of_folds(method, samples, seed) for seed in used]}
 
@@ -82,8 +95,8 @@ def clustering(out, set_name, clusterer_name, seeds):
 
 def identity(samples, entry, seeds):
     library = f"pysomato {library_hash()}" if entry.uses_somato else f"scikit-learn {sklearn.__version__}"
-    return {"data": samples.hash(), "settings": entry.settings, "seeds": seeds, "folds": block_folds.FOLDS,
-            "library": library}
+    return {"data": samples.hash(), "version": VERSION, "settings": entry.settings, "seeds": seeds,
+            "folds": block_folds.FOLDS, "library": library}
 
 
 def methods_of(set_name, chosen):
