@@ -206,13 +206,13 @@ def fill(template, results, sweeps):
     return page
 
 
-def put_remarks(page, text):
-    """Inserts the remarks `## NAME` of the file of remarks at {{remarks NAME}} or {{question NAME}}."""
+def put_remarks(page, text, template=TEMPLATE):
+    """Inserts the remarks `## NAME` of the file of remarks at {{remarks NAME}} or {{question NAME}} of a page."""
     known = dict(section.split("\n", 1) for section in text.split("\n## ")[1:])
     page = re.sub(r"\{\{(?:remarks|question) (.*?)\}\}", lambda place: known.get(place[1], "").strip(), page)
     left = re.findall(r"\{\{.*?\}\}", page)
     if left:
-        raise SystemExit(f"{TEMPLATE.name}: unknown placeholders {', '.join(left)}")
+        raise SystemExit(f"{template.name}: unknown placeholders {', '.join(left)}")
     return re.sub(r"\n{3,}", "\n\n", page)
 
 
