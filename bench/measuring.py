@@ -236,4 +236,5 @@ def run_timed(command):
 
 
 PEERED = {"dense_batch", "hexagonal_batch", "few_samples", "sparse_uniform_start",
-          "sparse_sample_start", "sparse_streaming", "sparse_batch", "winners", "clustered_search"}
+          "sparse_sample_start", "sparse_streaming", "sparse_batch", "winners", "clustered_search",
+          "layers_batch", "layers_online"}

@@ -163,12 +163,10 @@ struct LearningPlan {
   /// port: those of all known explorations, and the numbers of the training samples.
   Samples known;
   std::vector<std::size_t> training;
-  /// The class of each training exploration, in their order, for a map that labels refine; empty:
-  /// the explorations have no classes.
+  /// The class of each training exploration, in their order, for a map that labels refine or that
+  /// learns names; empty: the explorations have no classes.
   std::vector<std::size_t> classes;
   TrainingObserver observer;    ///< Receives snapshots of a map that learns at once.
-  /// The class of each training exploration, for a map that learns names; empty: unknown.
-  std::vector<std::size_t> classes;
   bool inputs_unknown = false;  ///< Whether the module depends on its own output.
   /// Whether each exploration has one constant value at each port: Learner::turn_to() then sets the
   /// next exploration.

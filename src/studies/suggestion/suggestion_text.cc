@@ -192,9 +192,7 @@ std::string own_settings(const Suggestion& suggestion) {
       quoted(suggestion.parameters.label), leave_out ? "leave_one_out" : "k_folds",
       leave_out
           ? ""
-          : fmt::format("folds = {}
-fold_choice = \"blocks\"  # consecutive explorations together
-",
+          : fmt::format("folds = {}\nfold_choice = \"blocks\"  # consecutive explorations together\n",
                         kFolds));
 }
 

@@ -95,11 +95,6 @@ class Trainer {
       inputs.push_back(inputs_of(module, activations_, exploration));
     }
     LearningPlan plan = learning_plan_for(module, phase);
-    if (!training_.classes.empty()) {
-      for (const std::size_t exploration : explorations_) {
-        plan.classes.push_back(training_.classes[exploration]);
-      }
-    }
     if (som_of(system_, module)) {
       SOMATO_TRY_VOID(give_known(module, plan));
     }
