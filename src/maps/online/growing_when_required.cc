@@ -27,7 +27,8 @@ const Declarations<GrowingWhenRequiredParameters>& GrowingWhenRequiredParameters
                "A neuron is inserted if exp(-d / distance_unit) is below it, for the distance d of "
                "the winner from the input. Not given in the paper.")
           .add("distance_unit", &P::distance_unit, "", Range::above(0),
-               "Unit of distances in the activity; 1 in Marsland and others 2002. Automatic: the mean "
+               "Unit of distances in the activity; 1 in Marsland and others 2002. Automatic: the "
+               "mean "
                "distance of the inputs learned so far from their nearest neighbours, so that "
                "neither the unit of the inputs nor a constant element has an effect. Not given in "
                "the paper.")

@@ -53,14 +53,14 @@ struct GrowingWhenRequiredParameters {
 ///
 /// With by_names, each neuron has the class of the input for which it was inserted. Where the
 /// nearest neuron has another class than the input, a neuron with the input as weights is inserted,
-/// whatever the distance and the habituation. Otherwise the winner takes the mean of the inputs that
-/// it has won since it was inserted (MacQueen 1967), no other neuron moves, and neurons without an
-/// edge are kept. Not in Marsland and others 2002; inserting what is named wrongly follows Hart 1968
-/// (The condensed nearest neighbor rule).
+/// whatever the distance and the habituation. Otherwise the winner takes the mean of the inputs
+/// that it has won since it was inserted (MacQueen 1967), no other neuron moves, and neurons
+/// without an edge are kept. Not in Marsland and others 2002; inserting what is named wrongly
+/// follows Hart 1968 (The condensed nearest neighbor rule).
 class GrowingWhenRequired : public GrowingMap {
  public:
-  /// Starts with two neurons at samples drawn at random. Throws InvalidArgument with by_names unless
-  /// each sample has a class.
+  /// Starts with two neurons at samples drawn at random. Throws InvalidArgument with by_names
+  /// unless each sample has a class.
   GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters, const NamedSamples& samples);
 
   /// Learns further from a map of this kind, before load().
@@ -104,8 +104,8 @@ class GrowingWhenRequired : public GrowingMap {
   GrowingWeights weights_;
   std::vector<double> habituation_;
   std::vector<std::map<std::size_t, std::size_t>> ages_;  // of the edges to others
-  std::vector<std::uint64_t> names_;  // classes, with by_names; otherwise empty
-  std::vector<std::uint64_t> won_;    // inputs since a neuron was inserted, likewise
+  std::vector<std::uint64_t> names_;                      // classes, with by_names; otherwise empty
+  std::vector<std::uint64_t> won_;  // inputs since a neuron was inserted, likewise
 };
 
 }  // namespace somato

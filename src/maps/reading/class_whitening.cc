@@ -112,8 +112,9 @@ void multiply(const Matrix<double>& triangle, std::span<const double> values,
 
 bool can_be_whitened(const Som& som) {
   const SomParameters& parameters = som.parameters();
-  return parameters.similarity == Similarity::kEuclidean && !parameters.normalize_input.value_or(false) &&
-         parameters.layers.empty() && som.input_size() <= kMostWhitenedElements;
+  return parameters.similarity == Similarity::kEuclidean &&
+         !parameters.normalize_input.value_or(false) && parameters.layers.empty() &&
+         som.input_size() <= kMostWhitenedElements;
 }
 
 tl::unexpected<Error> not_to_be_whitened() {

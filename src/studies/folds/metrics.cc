@@ -188,7 +188,7 @@ class MetricsMaker {
     add_separation("baseline_", "", &NoveltyScores::nearest);
   }
 
-  // Of the thresholds that were found in training; the mean over the trainings.
+  // The interval of the thresholds that were found in training: the mean over the trainings.
   void add_interval(const std::string& end, double FalseAlarmInterval::* limit) {
     add("unknown_false_alarms_" + end, [&](const SeedOutcome& seed) {
       double sum = 0.0;

@@ -45,12 +45,8 @@ Numbers of_learned_classes(const Fold& part, const Numbers& class_of) {
 LabelledMap labelled_map(const TrainedFold& trained, const PreparedStudy& prepared,
                          const std::vector<std::size_t>& training,
                          std::optional<double> shrinkage) {
-  return {*som_of(trained.system, prepared.map),
-          trained.inputs,
-          prepared.classes().of_sample,
-          prepared.classes().names.size(),
-          training,
-          shrinkage};
+  return {*som_of(trained.system, prepared.map), trained.inputs, prepared.classes().of_sample,
+          prepared.classes().names.size(),       training,       shrinkage};
 }
 
 Result<Novelty> find_novelty(const StudyDescription& description, const PreparedStudy& prepared,

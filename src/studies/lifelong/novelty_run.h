@@ -21,9 +21,10 @@ LabelledMap labelled_map(const TrainedFold& trained, const PreparedStudy& prepar
 
 /// The threshold for unknown explorations of a system that was trained on `training`. The training
 /// explorations are divided into `calibration_folds` parts; each part is read by a system trained
-/// on the others, with the scales and the whitening of that system, and the threshold follows from the scores of all
-/// parts. No other exploration has an influence. Errors: those of training; too few explorations
-/// for the false-alarm rate (kData); a whitening_shrinkage for a map that cannot be whitened (kUsage).
+/// on the others, with the scales and the whitening of that system, and the threshold follows from
+/// the scores of all parts. No other exploration has an influence. Errors: those of training; too
+/// few explorations for the false-alarm rate (kData); a whitening_shrinkage for a map that cannot
+/// be whitened (kUsage).
 Result<Novelty> find_novelty(const StudyDescription& description, const PreparedStudy& prepared,
                              const TrainedFold& trained, const std::vector<std::size_t>& training,
                              std::uint64_t seed, const Progress& progress);

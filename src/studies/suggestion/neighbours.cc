@@ -23,7 +23,7 @@ std::vector<std::uint32_t> ordered_others(std::span<const float> distances, std:
   return others;
 }
 
-// Of stored values, whose positions ascend.
+// The Manhattan distance of stored values, whose positions ascend.
 double manhattan_of_sparse(const SignalView& a, const SignalView& b) {
   double sum = 0.0;
   std::size_t i = 0;

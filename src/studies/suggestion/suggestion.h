@@ -92,9 +92,9 @@ struct Suggestion {
   std::vector<SuggestedGroup> groups;
   std::vector<SuggestedPart> parts;
   std::vector<SuggestedComparison> comparisons;  ///< The combination, the plain vector, Manhattan.
-  Similarity similarity = Similarity::kEuclidean;  ///< Of the map, or Manhattan.
-  MeasuredSize size;             ///< Without checks if 'least_side' decides alone.
-  std::size_t combinations = 0;  ///< The number that was compared.
+  Similarity similarity = Similarity::kEuclidean;  ///< The distance of the map.
+  MeasuredSize size;                               ///< No checks if 'least_side' decides.
+  std::size_t combinations = 0;                    ///< The number that was compared.
   bool nothing_related = false;  ///< No sense was predicted better than by chance; all are kept.
   SystemDescription system;
 };

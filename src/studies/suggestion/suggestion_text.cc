@@ -190,10 +190,10 @@ std::string own_settings(const Suggestion& suggestion) {
   return fmt::format(
       "label = {}  # measures accuracy; it did not affect the suggestion\nprotocols = [\"{}\"]\n{}",
       quoted(suggestion.parameters.label), leave_out ? "leave_one_out" : "k_folds",
-      leave_out
-          ? ""
-          : fmt::format("folds = {}\nfold_choice = \"blocks\"  # consecutive explorations together\n",
-                        kFolds));
+      leave_out ? ""
+                : fmt::format(
+                      "folds = {}\nfold_choice = \"blocks\"  # consecutive explorations together\n",
+                      kFolds));
 }
 
 std::string study_of(const Suggestion& suggestion, const Table& like) {

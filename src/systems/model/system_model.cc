@@ -115,7 +115,8 @@ Result<SystemAnswer> read_answer(const Archive& archive, const System& system,
   if (som == nullptr) return damaged_model("the output map is missing", where);
   SOMATO_TRY(auto labels, labels_from(archive, som->neurons(), part.answer.classes.size(), where));
   part.answer.labels = std::move(labels);
-  SOMATO_TRY(part.answer.novelty, novelty_from(archive, part.answer.classes.size(), som->input_size(), where));
+  SOMATO_TRY(part.answer.novelty,
+             novelty_from(archive, part.answer.classes.size(), som->input_size(), where));
   if (!archive.find("votes")) return std::move(part.answer);
   SOMATO_TRY(auto votes, votes_from(archive, som->neurons(), part.answer.classes.size(), where));
   if (votes.labels() != part.answer.labels) {

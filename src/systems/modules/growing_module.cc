@@ -153,8 +153,7 @@ GrowthParameters GrowingModule::growth_for(const LearningPlan& plan, std::size_t
 }
 
 Result<void> GrowingModule::grow_from(std::unique_ptr<GrowingMap> map, const LearningPlan& plan,
-                                      const GrowthParameters& growth,
-                                      const NamedSamples& samples) {
+                                      const GrowthParameters& growth, const NamedSamples& samples) {
   SOMATO_TRY_VOID(grow(*map, growth, samples, plan.progress, plan.observer));
   som_ = map->map();
   map_ = std::move(map);
@@ -172,8 +171,8 @@ Result<void> GrowingModule::learn(const LearningPlan& plan, const TrainingInputs
 Result<NamedSamples> GrowingModule::named(const LearningPlan& plan, const Samples& samples) const {
   if (!kind_->learns_names()) return NamedSamples{samples, {}};
   if (plan.classes.size() == samples.count()) return NamedSamples{samples, plan.classes};
-  return fail(ErrorKind::kUsage, "the map learns the names of explorations, which are not given", {},
-              "set by_names = false, or train it in a study with a label");
+  return fail(ErrorKind::kUsage, "the map learns the names of explorations, which are not given",
+              {}, "set by_names = false, or train it in a study with a label");
 }
 
 Result<NeuronOrigins> GrowingModule::learn_further(const LearningPlan& plan,

@@ -36,8 +36,7 @@ class MapModule : public Module, public Learner {
 
   /// Gives a neuron of a trained map the weights `input`, after normalization; all others remain as
   /// they are. A map that learns names gives it that of the class.
-  virtual void place_neuron(std::size_t neuron, const SignalView& input,
-                            std::size_t the_class) = 0;
+  virtual void place_neuron(std::size_t neuron, const SignalView& input, std::size_t the_class) = 0;
 
   Learner* learner() override { return this; }
 };

@@ -75,8 +75,8 @@ Numbers without_name(const NeuronLabels& labels) {
 }
 
 // Returns the neuron, which may be new, and adds no vote.
-Result<std::size_t> give_neuron(modules::MapModule& map, const SignalView& input,
-                                std::size_t label, NeuronVotes& votes) {
+Result<std::size_t> give_neuron(modules::MapModule& map, const SignalView& input, std::size_t label,
+                                NeuronVotes& votes) {
   if (map.add_neuron(input, label)) {
     NeuronOrigins origins(votes.neurons() + 1);
     for (std::size_t neuron = 0; neuron < votes.neurons(); ++neuron) origins[neuron] = neuron;

@@ -27,8 +27,8 @@ class LabelledMap {
   /// `inputs` has the inputs of `training` at least, and `class_of` the class of every exploration,
   /// below `classes`. Map and inputs must outlive it. Distances are those between vectors that are
   /// whitened within the classes of `training` with this shrinkage; with 1, those of the map. Where
-  /// it is automatic, they are whitened if they can be. Throws InvalidArgument for a shrinkage below
-  /// 1 and a map for which can_be_whitened() is false.
+  /// it is automatic, they are whitened if they can be. Throws InvalidArgument for a shrinkage
+  /// below 1 and a map for which can_be_whitened() is false.
   LabelledMap(const Som& som, const ExplorationValues& inputs,
               const std::vector<std::size_t>& class_of, std::size_t classes,
               const std::vector<std::size_t>& training, std::optional<double> shrinkage = 1.0);

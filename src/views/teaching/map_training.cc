@@ -162,8 +162,8 @@ class VisibleTraining {
 
   LabelledMap labelled_map(const System& system, const ExplorationValues& inputs,
                            const std::vector<std::size_t>& training) const {
-    return {*som_of(system, map_), inputs, classes_.of_sample, classes_.names.size(), training,
-            std::nullopt};
+    return {*som_of(system, map_), inputs,   classes_.of_sample,
+            classes_.names.size(), training, std::nullopt};
   }
 
   bool look_at(const Som& som) {

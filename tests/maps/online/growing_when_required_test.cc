@@ -198,7 +198,7 @@ TEST(GrowingWhenRequired, ForgetsNothingFarAway) {
   EXPECT_LT(testing::distance({100.0}, after[testing::nearest(after, {100.0})]), 0.6);
 }
 
-// What a map has learned from samples that are learned one after the other, three times.
+// The map after it has learned the samples one after the other, three times.
 Som learned_from(const GrowingWhenRequiredParameters& parameters, const NamedSamples& named) {
   GrowingWhenRequired map(parameters, named);
   std::vector<float> input(named.samples.size());

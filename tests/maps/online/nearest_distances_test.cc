@@ -73,7 +73,7 @@ TEST(NearestDistances, BeginsWithSingleSamples) {
   EXPECT_EQ(distances.mean(), 2.0);
 }
 
-// Of many samples at equal intervals: all are 1 from the next.
+// Many samples at equal intervals: each is 1 from the next.
 TEST(NearestDistances, TakesSomeOfManySamples) {
   std::vector<float> values;
   for (int i = 0; i < 2500; ++i) values.push_back(static_cast<float>(i));

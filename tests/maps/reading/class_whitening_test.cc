@@ -47,8 +47,8 @@ Rows normalized_covariance(const ClassProblem& problem, double shrinkage) {
     counts[problem.classes[i]] += 1.0;
     for (std::size_t d = 0; d < size; ++d) sums[problem.classes[i]][d] += problem.rows(i, d);
   }
-  const double classes = static_cast<double>(std::count_if(
-      counts.begin(), counts.end(), [](double one) { return one > 0.0; }));
+  const double classes = static_cast<double>(
+      std::count_if(counts.begin(), counts.end(), [](double one) { return one > 0.0; }));
   Rows covariance(size, std::vector<double>(size, 0.0));
   for (std::size_t a = 0; a < size; ++a) {
     for (std::size_t b = 0; b < size; ++b) {
@@ -176,7 +176,8 @@ TEST(ClassWhitening, DoesNotDependOnAConstantElement) {
 TEST(ClassWhitening, DistancesDoNotDependOnTheOrderOfElements) {
   const ClassProblem problem = class_problem(20, 4, 3);
   ClassProblem turned = problem;
-  for (std::size_t i = 0; i < 20; ++i) std::reverse(turned.rows.row(i).begin(), turned.rows.row(i).end());
+  for (std::size_t i = 0; i < 20; ++i)
+    std::reverse(turned.rows.row(i).begin(), turned.rows.row(i).end());
   for (std::size_t i = 1; i < 20; ++i) {
     const double before =
         distance_by(whitening_of(problem), problem.rows.row(0), problem.rows.row(i));

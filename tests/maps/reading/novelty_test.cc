@@ -74,8 +74,8 @@ TEST(Novelty, ThresholdNeedsEnoughScores) {
   EXPECT_THROW((void)conformal_threshold({1.0}, 1.0), InvalidArgument);
 }
 
-// Quantiles of beta distributions of SciPy 1.17, scipy.stats.beta.ppf([0.025, 0.975], a, n + 1 - a),
-// and, for a = 1, 1 - (1 - p)^(1 / n).
+// Quantiles of beta distributions of SciPy 1.17, scipy.stats.beta.ppf([0.025, 0.975], a, n + 1 -
+// a), and, for a = 1, 1 - (1 - p)^(1 / n).
 TEST(Novelty, TheIntervalOfAThresholdHasTheQuantilesOfABetaDistribution) {
   const FalseAlarmInterval of_19 = false_alarm_interval(19, 0.05);
   EXPECT_NEAR(of_19.low, 1.0 - std::pow(0.975, 1.0 / 19.0), 1e-12);

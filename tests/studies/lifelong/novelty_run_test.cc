@@ -97,7 +97,8 @@ TEST(NoveltyRun, ScalesAndNearestNeuronsAreThoseOfPlainLoops) {
   for (const std::size_t one : trained.fold.training) distances.push_back(distance_from(one, true));
   Numbers classes;
   for (const std::size_t one : trained.fold.training) classes.push_back(one / 8);
-  const LabelledMap map = labelled_map(trained.outcome, trained.prepared, trained.fold.training, 1.0);
+  const LabelledMap map =
+      labelled_map(trained.outcome, trained.prepared, trained.fold.training, 1.0);
   const auto expected = class_scales(classes, distances, 3).value();
   const auto scales = map.scales().value();
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(scales[c], expected[c], 1e-5) << c;

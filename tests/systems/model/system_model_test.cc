@@ -62,7 +62,8 @@ TEST(SystemModel, KeepsTheThresholdForUnknownInputs) {
 
 SystemAnswer whitening_answer() {
   SystemAnswer answer = wary_answer();
-  const std::size_t elements = som_of(small_system(), small_system().modules().size() - 1)->input_size();
+  const std::size_t elements =
+      som_of(small_system(), small_system().modules().size() - 1)->input_size();
   answer.novelty->whitening = Matrix<double>(elements, elements, 1.0 / 3.0);
   return answer;
 }

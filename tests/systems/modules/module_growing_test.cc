@@ -153,8 +153,8 @@ TEST(GrowingModule, AMapOfAnEarlierVersionKeepsItsUnit) {
   const TemporaryFolder folder;
   const Recording all = recording();
   const std::string unit = fmt::format(
-      "distance_unit = {}\n", std::sqrt(static_cast<double>(map_of(trained_system(
-                                  "growing_when_required")).input_size())));
+      "distance_unit = {}\n",
+      std::sqrt(static_cast<double>(map_of(trained_system("growing_when_required")).input_size())));
   System explicitly = trained(build(growing("growing_when_required", unit), all), all, 18, 3);
   ASSERT_TRUE(save_system(folder.file("a"), explicitly, {}));
   const Archive saved = load_archive(folder.file("a")).value();

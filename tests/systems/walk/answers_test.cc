@@ -80,8 +80,7 @@ TEST(Answers, HaveTheNoveltyAfterWhitening) {
     double least = std::numeric_limits<double>::infinity();
     double scale = 0.0;
     for (const std::size_t neuron : model.answer->labels.labelled()) {
-      const double distance =
-          0.5 * std::abs(double{frames(0, 0)} - double{som.weight(neuron, 0)});
+      const double distance = 0.5 * std::abs(double{frames(0, 0)} - double{som.weight(neuron, 0)});
       if (distance >= least) continue;
       least = distance;
       scale = *model.answer->labels[neuron] == 0 ? 20.0 : 50.0;
