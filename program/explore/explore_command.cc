@@ -343,7 +343,7 @@ Command explore_command() {
        output_flag("-o,--output", "File for the recording", true)},
       SimulationParameters::declarations().infos(),
       run_explore,
-      "simulation"};
+      {"simulation"}};
   for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
   return command;
 }

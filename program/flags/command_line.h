@@ -65,7 +65,7 @@ struct Command {
   std::vector<Flag> flags;
   std::vector<ParameterInfo> parameters;  ///< Each is a flag: radius_start is --radius-start.
   std::function<Result<void>(const Arguments&)> run;
-  std::string table = {};  ///< For TOML files with the same parameters as keys.
+  std::vector<std::string> tables = {};  ///< The tables of the reference with the parameters.
 };
 
 /// The key of a flag in Arguments: that of "-o,--output" is "output".

@@ -64,8 +64,11 @@ void add_command(std::string& page, const Command& command) {
   page += fmt::format("### `{}`\n\n{}.\n\n", usage_of(command), command.text);
   add_arguments(page, command);
   if (command.parameters.empty()) return;
-  page += fmt::format("Every key of [{0}](#{0}) is a flag too, with dashes for underscores: ",
-                      command.table);
+  std::string tables;
+  for (const std::string& table : command.tables) {
+    tables += fmt::format("{0}[{1}](#{1})", tables.empty() ? "" : " and ", table);
+  }
+  page += fmt::format("Every key of {} is a flag too, with dashes for underscores: ", tables);
   const auto underscored = [](const ParameterInfo& info) {
     return info.name.find('_') != std::string::npos;
   };

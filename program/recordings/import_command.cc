@@ -366,7 +366,7 @@ Command import_command() {
         "types"}},
       import_parameters(),
       run_import,
-      "import"};
+      {"import"}};
 }
 
 }  // namespace somato::program

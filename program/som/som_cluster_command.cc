@@ -119,7 +119,7 @@ Command som_cluster_command() {
       std::move(flags),
       ClusterParameters::declarations().infos(),
       cluster,
-      "clusters"};
+      {"clusters"}};
 }
 
 }  // namespace somato::program

@@ -98,7 +98,7 @@ Command som_quality_command() {
           std::move(flags),
           MeasureParameters::declarations().infos(),
           quality,
-          "measures"};
+          {"measures"}};
 }
 
 }  // namespace somato::program

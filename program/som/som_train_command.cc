@@ -361,7 +361,7 @@ Command som_train_command() {
       std::move(flags),
       std::move(parameters),
       train,
-      "map"};
+      {"map", "refinement"}};
 }
 
 }  // namespace somato::program

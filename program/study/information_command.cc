@@ -109,7 +109,7 @@ Command information_command() {
            threads_flag(), output_flag("-o,--output", "JSON file for the measures"), json_flag()},
           InformationParameters::declarations().infos(),
           run_information,
-          "information"};
+          {"information"}};
 }
 
 }  // namespace somato::program

@@ -109,7 +109,7 @@ Command suggest_command() {
       suggest_flags(),
       SuggestionParameters::declarations().infos(),
       run_suggest,
-      "suggestion"};
+      {"suggestion"}};
 }
 
 }  // namespace somato::program

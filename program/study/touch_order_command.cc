@@ -101,7 +101,7 @@ Command touch_order_command() {
           {threads_flag(), json_flag()},
           TouchOrderParameters::declarations().infos(),
           run_touch_order,
-          "touch_order"};
+          {"touch_order"}};
 }
 
 }  // namespace somato::program

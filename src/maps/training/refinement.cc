@@ -157,23 +157,24 @@ const Declarations<RefinementParameters>& RefinementParameters::declarations() {
                "The papers train without labels.")
           .add("refine_passes", &P::refine_passes, "passes over all samples",
                Range::between(1, 1e6),
-               "Length of the refinement. Not given in the paper; 60 passes are no better on the "
+               "Length of the refinement. Our choice: 60 passes are no better on the "
                "grasps of 10 objects that docs/mathematics/refinement.md describes.")
           .add("refine_learning_rate", &P::refine_learning_rate, "", Range::between(0, 0.5),
-               "Learning rate at the start, which falls to 0 as a line. Not given in the paper; "
+               "Learning rate at the start, which falls to 0 as a line. Our choice: "
                "0.05 to 0.2 are equally good on these grasps, and beyond 0.5 a neuron could pass "
                "the sample.")
           .add("refine_steepness_start", &P::refine_steepness_start, "", Range::above(0),
-               "Steepness of the sigmoid at the start: with a low one all samples count alike. Not "
-               "given in the paper, in which it increases with time.")
+               "Steepness of the sigmoid at the start: with a low one all samples count alike. Our "
+               "choice; Sato and Yamada let it increase with time.")
           .add("refine_steepness_end", &P::refine_steepness_end, "", Range::above(0),
                "Steepness of the sigmoid at the end, reached as a line: with a high one only "
-               "samples between two classes count. Not given in the paper; 15 to 60 differ by at "
+               "samples between two classes count. Our choice: 15 to 60 differ by at "
                "most 5 points on these grasps.")
           .add("refine_neighbours", &P::refine_neighbours, "", Range::between(0, 1),
                "Share of a step by which adjacent neurons of the same class follow the nearest "
-               "one, so that the map keeps more of its order; 0 as in the paper, 1: as much as the "
-               "nearest. Not given in the paper; 0.3 reduces the topographic error of these grasps "
+               "one, so that the map keeps more of its order; 0 as in Sato and Yamada, 1: as much "
+               "as "
+               "the nearest. Our choice: 0.3 reduces the topographic error of these grasps "
                "by a fifth to two fifths at the same accuracy.");
   return declared;
 }

@@ -166,9 +166,10 @@ Result<void> SomModule::learn(const LearningPlan& plan, const TrainingInputs& ex
 Result<RefinedSom> SomModule::refine(const Som& trained, const LearningPlan& plan,
                                      const Samples& samples) const {
   if (plan.classes.empty()) {
-    return fail(ErrorKind::kUsage,
-                "the map is refined by labels, and the explorations are learned without any here",
-                "refine", "leave 'refine' out, or train the system in a study, which has labels");
+    return fail(
+        ErrorKind::kUsage,
+        "the map is refined by labels (refine), and the explorations are learned without any here",
+        {}, "leave 'refine' out, or train the system in a study, which has labels");
   }
   require(plan.classes.size() == samples.count(), "each exploration has one value and one class");
   return refine_som(trained, samples, {plan.classes.begin(), plan.classes.end()}, refinement_,
@@ -181,7 +182,7 @@ Result<NeuronOrigins> SomModule::learn_further(const LearningPlan& plan, const S
     return fail(ErrorKind::kUsage,
                 "a map that labels have refined cannot learn further, because learning without "
                 "labels would undo the refinement",
-                "refine", "train it anew with all explorations, or leave 'refine' out");
+                {}, "train it anew with all explorations, or leave 'refine' out");
   }
   TrainingOptions options{1, plan.progress, plan.observer, {}};
   options.start = &som_;

@@ -69,7 +69,7 @@ TEST_F(MissingValues, AreNoPartOfWhatAMapExplains) {
              "--epochs", "1", "--missing", "mean", "-o", "zero.map"});
   for (const char* fill : {"mean", "nearest", "leave_out"}) {
     const std::string table =
-        output_of({"som", "features", "zero.map", "holes.csv", "--missing", fill});
+        output_of({"som", "features", "zero.map", "holes.csv", "--missing", fill, "--quiet"});
     EXPECT_NE(table.find("a,-3.6\n"), std::string::npos) << fill << "\n" << table;
   }
 }

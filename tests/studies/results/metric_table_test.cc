@@ -43,10 +43,11 @@ TEST(MetricTable, HasTheRowsOfTheTableOfRunInTheirOrder) {
   for (const MetricInfo& metric : metric_table()) {
     if (metric.in_run_table) shown.push_back(metric.name);
   }
-  EXPECT_EQ(shown, (std::vector<std::string>{"accuracy", "unknown_auroc", "unknown_noticed",
-                                             "unknown_false_alarms", "individuals_apart",
-                                             "areas_connected", "quantization_error",
-                                             "topographic_error"}));
+  EXPECT_EQ(shown, (std::vector<std::string>{
+                       "accuracy", "unknown_auroc", "unknown_noticed", "unknown_false_alarms",
+                       "individuals_apart", "areas_connected", "unrefined_topographic_error",
+                       "refined_topographic_error", "unrefined_trustworthiness",
+                       "refined_trustworthiness", "quantization_error", "topographic_error"}));
 }
 
 TEST(MetricTable, HasTheRangeAndTheDirectionOfAMetric) {

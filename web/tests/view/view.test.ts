@@ -62,7 +62,7 @@ describe("what it shows", () => {
     view.server.show(1, 50);
     await frameShown(view.page, 50);
     const skin = panel.locator(".skin").first();
-    await panel.getByLabel("contributions").check();
+    await panel.getByRole("checkbox", { name: "contributions" }).check();
     const contributions = panel.locator(".contributions");
     expect(await skin.isVisible()).toBe(false);
     const given = fakeFrame(1, 50).reading!.contributions!;
@@ -87,7 +87,7 @@ describe("what it shows", () => {
     }
     view.server.send("frame", { ...fakeFrame(1, 51), reading: { ...reading, contributions: null } });
     await soon(() => contributions.innerText()).toContain("There is no reading of two classes.");
-    await panel.getByLabel("contributions").uncheck();
+    await panel.getByRole("checkbox", { name: "contributions" }).uncheck();
     expect(await contributions.isVisible()).toBe(false);
     expect(await skin.isVisible()).toBe(true);
   });
