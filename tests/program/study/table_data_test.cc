@@ -46,7 +46,7 @@ TEST_F(TableData, IsGoneThroughFromASuggestionToAReportWithFlagsGivenOnce) {
   const std::string answers = output_of({"apply", "out/system.somato", "new.csv"});
   EXPECT_NE(answers.find(",kind1,\"\"\n"), std::string::npos) << answers;
   const std::string lines =
-      output_of({"live", "--model", "out/system.somato", "--recording", "t.csv"});
+      output_of({"live", "--model", "out/system.somato", "--recording", "t.csv", "--speed", "max"});
   EXPECT_NE(lines.find("\"given\":\"kind0\",\"right\":true"), std::string::npos);
   EXPECT_EQ(output_of({"report", "out/results.json", "--data", "t.csv", "-o", "r.html"}),
             "r.html: 1 system, 0 claims\n");
