@@ -12,7 +12,7 @@ type Given = NonNullable<Reading["contributions"]>;
 
 const kSize = 300;
 const kMostPitch = 75;
-const kMostListed = 3;
+const kMostListed = 2; // which fit below the skin
 
 export class Contributions {
   readonly root = element("div", { class: "contributions" });
@@ -78,7 +78,7 @@ export class Contributions {
 }
 
 function wordsOf(nearest: string, other: string): string {
-  return `Bright: the sensor is closer to ${nearest} than to ${other}. Dark: it is closer to ${other}. They sum to the difference of the two distances.`;
+  return `Bright: closer to ${nearest} than to ${other}. Dark: the reverse.`;
 }
 
 function pictureOf(channel: ChannelData): HandPicture {
@@ -111,6 +111,6 @@ export function contributionsSwitch(model: Model): HTMLElement {
   const box = element("input", { type: "checkbox" });
   box.addEventListener("change", () => model.explains.set(box.checked));
   model.explains.watch((on) => (box.checked = on));
-  const title = "Colour the sensors by how much they separate the class that is read from the next one";
+  const title = "Colour the sensors by how much they separate the class that is read from the next one; the contributions sum to the difference of the two distances";
   return element("label", { class: "hold", title }, [box, "contributions"]);
 }
