@@ -75,7 +75,7 @@ GrowingWhenRequired::GrowingWhenRequired(const GrowingWhenRequiredParameters& pa
       weights_(drawn_weights(samples.samples, kFirstNeurons, parameters.growth.seed)),
       habituation_(kFirstNeurons, 1.0),
       ages_(kFirstNeurons) {
-  see(samples.samples);
+  GrowingWhenRequired::see(samples.samples);
   if (!parameters_.by_names) return;
   require(samples.classes.size() == samples.samples.count(),
           "a map that learns names needs the class of each sample");

@@ -12,8 +12,8 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kHeldOut = 5;  // the first of so many samples
-constexpr double kLeastShare = 1.0 / 16.0;
+constexpr std::size_t kHeldOut = 5;               // the first of so many samples
+constexpr std::size_t kMostSamplesOfNeuron = 16;  // of the smallest map
 constexpr std::uint64_t kEpochs = 20;
 constexpr double kRadiusEnd = 0.3;  // neighbours then learn a 250th of the winner
 
@@ -78,8 +78,10 @@ Result<MeasuredSize> measured_size(const Samples& samples, Similarity similarity
   const auto learned = static_cast<double>(division.learned.size());
   MeasuredSize measured;
   std::vector<double> least;
-  for (double share = kLeastShare; share <= 1.0; share *= 2.0) {
+  for (std::size_t samples_of_neuron = kMostSamplesOfNeuron; samples_of_neuron > 0;
+       samples_of_neuron /= 2) {
     SOMATO_TRY_VOID(proceed());
+    const double share = 1.0 / static_cast<double>(samples_of_neuron);
     const std::size_t side = side_for(share * learned);
     if (!measured.checks.empty() && measured.checks.back().neurons == side * side) continue;
     SOMATO_TRY(const Som som, train_som(parameters_for(side, similarity), samples,

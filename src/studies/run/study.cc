@@ -118,8 +118,7 @@ class Trainings {
   Trainings(const StudyDescription& description, const PreparedStudy& prepared,
             const std::vector<ProtocolPart>& parts, bool compare_folds)
       : choice_(prepared.samples.choice) {
-    for (const ProtocolPart& part : parts) add(description, prepared, part, {});
-    protocols_ = runners_.size();
+    add_protocols(description, prepared, parts);
     if (!compare_folds) return;
     FoldSamples blocks = prepared.samples;
     blocks.choice = FoldChoice::kBlocks;
@@ -173,6 +172,12 @@ class Trainings {
   }
 
  private:
+  void add_protocols(const StudyDescription& description, const PreparedStudy& prepared,
+                     const std::vector<ProtocolPart>& parts) {
+    for (const ProtocolPart& part : parts) add(description, prepared, part, {});
+    protocols_ = runners_.size();
+  }
+
   void add(const StudyDescription& description, const PreparedStudy& prepared,
            const ProtocolPart& part, const std::optional<OtherFolds>& other) {
     runners_.emplace_back(description, prepared, part, runners_.size(), other);

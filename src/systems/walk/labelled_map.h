@@ -34,6 +34,9 @@ class LabelledMap {
               const std::vector<std::size_t>& training, std::optional<double> shrinkage = 1.0);
   LabelledMap(const LabelledMap&) = delete;
   LabelledMap& operator=(const LabelledMap&) = delete;
+  LabelledMap(LabelledMap&&) = delete;
+  LabelledMap& operator=(LabelledMap&&) = delete;
+  ~LabelledMap() = default;
 
   /// The labels of the neurons.
   const NeuronLabels& labels() const { return labels_; }
