@@ -24,7 +24,8 @@ def library_hash():
     """The first digits of the SHA-256 of the installed package, on which all maps depend."""
     folder = Path(pysomato.__file__).parent
     digest = hashlib.sha256()
-    for file in sorted([*folder.glob("_somato*.so"), *folder.glob("*.py")]):
+    files = sorted([*folder.glob("_somato*.so"), *folder.glob("*.py")])
+    for file in filter(Path.is_file, files):  # a build keeps links to modules that were moved
         digest.update(file.read_bytes())
     return digest.hexdigest()[:12]
 

@@ -60,7 +60,8 @@ FoldChoice fold_choice_of(const Evidence& evidence) {
 // protocol.
 Json sentences_json(const PartResults& part, const ProtocolResults& main) {
   Json sentences = Json::array();
-  if (const std::string best = best_neighbour_sentence(main); !best.empty()) sentences.push_back(best);
+  if (const std::string best = best_neighbour_sentence(main); !best.empty())
+    sentences.push_back(best);
   for (const ProtocolResults& protocol : part.protocols) {
     if (protocol.fold_comparison) sentences.push_back(sentence_of(*protocol.fold_comparison));
   }
