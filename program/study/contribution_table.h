@@ -6,7 +6,7 @@
 
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
-#include "somato/graph/contributions.h"
+#include "somato/graph/system_contributions.h"
 #include "somato/recording/recording.h"
 
 namespace somato::program {

@@ -19,10 +19,10 @@
 #include "parameters.h"
 #include "somato/drawing/map_picture.h"
 #include "somato/graph/answers.h"
-#include "somato/graph/contributions.h"
 #include "somato/graph/evaluation.h"
 #include "somato/graph/further_learning.h"
 #include "somato/graph/live_system.h"
+#include "somato/graph/system_contributions.h"
 #include "somato/recording/recording.h"
 #include "systems/graph/layout_fit.h"
 

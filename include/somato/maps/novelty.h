@@ -56,16 +56,18 @@ Result<std::vector<double>> class_scales(const std::vector<std::size_t>& classes
 /// Whether so many scores define a threshold (see conformal_threshold()), or the error (kData).
 Result<void> check_scores(std::size_t count, double rate);
 
+/// The central 95 % interval of a rate of false alarms.
+struct FalseAlarmInterval {
+  double low = 0.0;
+  double high = 1.0;
+};
+
 /// The least and the greatest false-alarm rate, 0 to 1, of a threshold of conformal_threshold()
 /// from `samples` scores with `rate`, outside of which it is with a probability of 2.5 % each: with
 /// other scores of the same distribution, the threshold would be another one. With a = floor(rate
 /// (samples + 1)), the rate has a beta distribution with the parameters a and samples + 1 - a (Vovk
 /// 2012, Conditional validity of inductive conformal predictors). Throws InvalidArgument if
 /// check_scores() refuses them.
-struct FalseAlarmInterval {
-  double low = 0.0;
-  double high = 1.0;
-};
 FalseAlarmInterval false_alarm_interval(std::size_t samples, double rate);
 
 /// The threshold that a further score from the same distribution exceeds with a probability of at

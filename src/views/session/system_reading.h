@@ -9,7 +9,7 @@
 
 #include "maps/reading/novelty_reader.h"
 #include "somato/core/result.h"
-#include "somato/graph/contributions.h"
+#include "somato/graph/system_contributions.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
 #include "systems/walk/walk.h"

@@ -1,4 +1,4 @@
-#include "somato/graph/contributions.h"
+#include "somato/graph/system_contributions.h"
 
 #include <algorithm>
 #include <iterator>
