@@ -90,7 +90,9 @@ TEST(ClassWhitening, IsTheInverseOfTheShrunkCovariance) {
             for (std::size_t l = 0; l < n; ++l) sum += b(i, k) * matrix[k][l] * b(j, l);
           }
           EXPECT_NEAR(sum, i == j ? 1.0 : 0.0, 1e-9) << count << ' ' << shrinkage;
-          if (j > i) EXPECT_EQ(b(i, j), 0.0);
+          if (j > i) {
+            EXPECT_EQ(b(i, j), 0.0);
+          }
         }
       }
     }

@@ -367,7 +367,9 @@ TEST(Refinement, RefusesMapsOfOtherDistances) {
     const bool takes = similarity == Similarity::kEuclidean || similarity == Similarity::kManhattan;
     const auto checked = check_refinement(glvq_parameters(), p);
     EXPECT_EQ(checked.has_value(), takes) << name;
-    if (!takes) EXPECT_NE(checked.error().what.find(name), std::string::npos);
+    if (!takes) {
+      EXPECT_NE(checked.error().what.find(name), std::string::npos);
+    }
     EXPECT_TRUE(check_refinement({}, p));
   }
   p.similarity = Similarity::kEuclidean;

@@ -87,7 +87,9 @@ TEST_F(ReportFacts, NothingOfTheSimulatorReachesTheReportOfOtherData) {
   add_words(system, words);
   EXPECT_TRUE(words.contains("felt"));
   for (const std::string& word : simulators_words()) {
-    if (!kNames.contains(word)) EXPECT_FALSE(words.contains(word)) << word;
+    if (!kNames.contains(word)) {
+      EXPECT_FALSE(words.contains(word)) << word;
+    }
   }
   ASSERT_EQ(system["things"].size(), kNames.size());
   for (const Json& thing : system["things"]) {
