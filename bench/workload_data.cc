@@ -75,12 +75,6 @@ Samples make_samples(const Workload& workload) {
   return workload.kind == DataKind::kClustered ? clustered(workload) : uniform(workload);
 }
 
-Matrix<float> to_rows(const Samples& samples) {
-  Matrix<float> rows(samples.count(), samples.size());
-  for (std::size_t i = 0; i < samples.count(); ++i) write_dense(samples[i], rows.row(i));
-  return rows;
-}
-
 Result<void> write_large_npy(const std::string& path, std::size_t rows, std::size_t columns) {
   std::ofstream file(path, std::ios::binary);
   file << npy_header(rows, columns);

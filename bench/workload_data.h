@@ -31,9 +31,6 @@ struct Workload {
 /// The samples of a case.
 Samples make_samples(const Workload& workload);
 
-/// The same as rows, zeros written out.
-Matrix<float> to_rows(const Samples& samples);
-
 /// Writes `rows` x `columns` uniform numbers as an NPY file, a row at a time, so that the file may
 /// be larger than memory.
 Result<void> write_large_npy(const std::string& path, std::size_t rows, std::size_t columns);

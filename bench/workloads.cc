@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/core/dense_rows.h"
 #include "base/kernels/instruction_set.h"
 #include "job.h"
 #include "somato/files/npy.h"
@@ -120,7 +121,7 @@ void print_sets() {
 
 void write_case(const Workload& workload, const std::string& folder) {
   const Samples samples = make_samples(workload);
-  value_or_end(write_npy(folder + "/samples.npy", to_rows(samples)).map([] { return 0; }));
+  value_or_end(write_npy(folder + "/samples.npy", dense_rows(samples)).map([] { return 0; }));
   value_or_end(
       write_npy(folder + "/initial.npy", initial_weights(workload, samples)).map([] { return 0; }));
 }

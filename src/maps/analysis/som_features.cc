@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/core/dense_rows.h"
 #include "base/core/threads.h"
 #include "somato/core/check.h"
 #include "somato/maps/som_training.h"
@@ -17,13 +18,6 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 double explained_share(double residual, double squares) {
   return squares > 0.0 ? 1.0 - residual / squares : kUndefined;
-}
-
-// All values of the samples, also of sparse ones.
-Matrix<float> dense_rows(const Samples& samples) {
-  Matrix<float> rows(samples.count(), samples.size());
-  for (std::size_t i = 0; i < samples.count(); ++i) write_dense(samples[i], rows.row(i));
-  return rows;
 }
 
 // The samples of a part that are expanded at once.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/core/dense_rows.h"
 #include "maps/online/growing_map.h"
 #include "maps/som/map_parts.h"
 
@@ -24,18 +25,12 @@ double nearest_row(std::span<const float> sample, const Matrix<float>& rows) {
   return nearest;
 }
 
-Matrix<float> rows_of(const Samples& samples) {
-  Matrix<float> rows(samples.count(), samples.size());
-  for (std::size_t i = 0; i < samples.count(); ++i) write_dense(samples[i], rows.row(i));
-  return rows;
-}
-
 }  // namespace
 
 void NearestDistances::see(const Samples& samples, const Matrix<float>& kept) {
   const bool knows_few = count_ < static_cast<double>(kFewDistances);
   if (samples.count() < 2 && !knows_few) return;
-  const Matrix<float> rows = rows_of(samples);
+  const Matrix<float> rows = dense_rows(samples);
   const std::size_t queries = std::min(rows.rows(), kMostQueries);
   for (std::size_t query = 0; query < queries; ++query) {
     const auto sample = rows.row(query * rows.rows() / queries);

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "base/core/dense_rows.h"
 #include "maps/reading/winner_search.h"
 #include "maps/som/fill_from_winner.h"
 #include "maps/som/map_rows.h"
@@ -64,11 +65,8 @@ Result<void> check_classes(const LabelledSamples& labelled) {
 
 // Missing elements have no effect on it.
 Result<void> check_known_range(const Samples& samples) {
-  Matrix<float> rows(samples.count(), samples.size());
-  for (std::size_t i = 0; i < rows.rows(); ++i) {
-    write_dense(samples[i], rows.row(i));
-    for (float& value : rows.row(i)) value = std::isnan(value) ? 0.0F : value;
-  }
+  Matrix<float> rows = dense_rows(samples);
+  for (float& value : rows.values()) value = std::isnan(value) ? 0.0F : value;
   return check_range(Samples(std::move(rows)));
 }
 

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/core/dense_rows.h"
 #include "somato/core/matrix.h"
 
 namespace somato {
 namespace {
-
-Matrix<float> dense(const Samples& samples) {
-  Matrix<float> rows(samples.count(), samples.size());
-  for (std::size_t i = 0; i < samples.count(); ++i) write_dense(samples[i], rows.row(i));
-  return rows;
-}
 
 double mean_of(const Matrix<float>& rows, std::size_t element) {
   double sum = 0.0;
@@ -42,7 +37,7 @@ double explained_share(const Matrix<float>& rows, std::size_t element, const Cla
 }  // namespace
 
 std::vector<double> explained_shares(const Samples& samples, const Classes& classes) {
-  const Matrix<float> rows = dense(samples);
+  const Matrix<float> rows = dense_rows(samples);
   std::vector<double> shares;
   shares.reserve(rows.columns());
   for (std::size_t i = 0; i < rows.columns(); ++i) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/core/dense_rows.h"
 #include "maps/som/map_parts.h"
 #include "somato/codes/concatenation.h"
 #include "somato/codes/normalization.h"
@@ -83,7 +84,7 @@ class OneHotModule : public MappedModule, public Learner {
   Result<void> learn(const LearningPlan& /*plan*/, const TrainingInputs& explorations) override {
     std::vector<double> low(inputs_, std::numeric_limits<double>::infinity());
     std::vector<double> high(inputs_, -std::numeric_limits<double>::infinity());
-    for (const auto& ports : explorations) widen(dense_rows(*ports.front()), low, high);
+    for (const auto& ports : explorations) widen(dense_rows(ports.front()->values), low, high);
     const bool learns_both = parameters_.low.empty() && parameters_.high.empty();
     for (std::size_t i = 0; learns_both && i < inputs_; ++i) {
       if (low[i] < high[i]) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/core/dense_rows.h"
 #include "somato/codes/spectrum.h"
 #include "systems/signals/change.h"
 #include "systems/signals/mean_removal.h"
@@ -27,7 +28,8 @@ class MeanRemovalModule : public WholeModule {
   }
 
   Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
-    return Sequence{Samples(mean_removed(dense_rows(*inputs.front()))), inputs.front()->rate};
+    return Sequence{Samples(mean_removed(dense_rows(inputs.front()->values))),
+                    inputs.front()->rate};
   }
 };
 
@@ -44,7 +46,7 @@ class ChangeModule : public WholeModule {
   }
 
   Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
-    return change_of(dense_rows(*inputs.front())).map([&](Signal change) {
+    return change_of(dense_rows(inputs.front()->values)).map([&](Signal change) {
       return single(std::move(change), inputs.front()->rate);
     });
   }
@@ -65,7 +67,7 @@ class ResamplingModule : public WholeModule {
   }
 
   Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
-    return resampled(dense_rows(*inputs.front()), parameters_)
+    return resampled(dense_rows(inputs.front()->values), parameters_)
         .map([&](const Matrix<float>& points) {
           const auto values = points.values();
           return single(Signal::dense(shape_, {values.begin(), values.end()}));
@@ -152,9 +154,10 @@ class OnsetWindowModule : public WholeModule {
   }
 
   Result<Sequence> run(std::span<const Sequence* const> inputs) const override {
-    return window_at_onset(dense_rows(*inputs.front()), parameters_).map([&](Matrix<float> window) {
-      return Sequence{Samples(std::move(window)), inputs.front()->rate};
-    });
+    return window_at_onset(dense_rows(inputs.front()->values), parameters_)
+        .map([&](Matrix<float> window) {
+          return Sequence{Samples(std::move(window)), inputs.front()->rate};
+        });
   }
 
  private:
@@ -197,7 +200,7 @@ class SpectrumModule : public WholeModule {
     std::optional<double> speed;
     if (inputs.size() > 1) speed = mean_of(*inputs.back());
     const Sequence& input = *inputs.front();
-    return spectrum_->apply(dense_rows(input), input.rate, speed).map([](Signal spectrum) {
+    return spectrum_->apply(dense_rows(input.values), input.rate, speed).map([](Signal spectrum) {
       return single(std::move(spectrum));
     });
   }

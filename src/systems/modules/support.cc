@@ -84,12 +84,6 @@ Result<void> check_memory(std::size_t neurons, std::size_t elements, const std::
               port, "use fewer neurons or elements");
 }
 
-Matrix<float> dense_rows(const Sequence& sequence) {
-  Matrix<float> rows(sequence.values.count(), sequence.values.size());
-  for (std::size_t i = 0; i < rows.rows(); ++i) write_dense(sequence.values[i], rows.row(i));
-  return rows;
-}
-
 Sequence single(Signal signal, double rate) {
   return {Samples::from_signals({std::move(signal)}), rate};
 }

@@ -31,9 +31,6 @@ Result<PortType> checked_size(PortType type, const std::string& port);
 /// memory, the program would otherwise be killed later without a message.
 Result<void> check_memory(std::size_t neurons, std::size_t elements, const std::string& port);
 
-/// All values of a sequence, one per row, including zeros.
-Matrix<float> dense_rows(const Sequence& sequence);
-
 /// A sequence of a single value.
 Sequence single(Signal signal, double rate = 0.0);
 
