@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Reports calls whose bits differ between machines, machine-specific paths, wording, links of pages to files that are
-gone, and long files.
+"""Reports calls whose bits differ between machines, checks of tests that only clang accepts, machine-specific paths,
+wording, links of pages to files that are gone, and long files.
 
 usage: check_text.py [TREE]
 """
@@ -28,6 +28,10 @@ FRAGMENT = re.compile(r"""(?://[/!]?<?|#|/\*\*?|^\s*\*|"{3})\s+((?:What|Whatever
 LINK = re.compile(r"\]\((?!\w+:)([^)#\s]+)")
 CODE_BLOCK = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 PRINTS = re.compile(r"\bstd::(?:cout|cerr|clog|printf|puts|fprintf|fputs)\b|\bfmt::print\b")
+
+# The checks of googletest are statements with an `else`; g++ refuses them after a condition without braces, clang does
+# not.
+BARE_CHECK = re.compile(r"^\s*(?:\} )?(?:else )?if \(.*\)\s+(?:EXPECT|ASSERT)_")
 
 # In what users of the library and of the Python package read, too: they have no flags.
 FLAGS = re.compile(r'"(?:\\.|[^"\\])*(?<![\w-])--[a-z][\w-]*')
@@ -70,6 +74,8 @@ def problems_of_line(name, line):
     without_flags = WITHOUT_FLAGS.match(name) and name not in MAY_NAME_FLAGS
     if is_cpp and without_flags and FLAGS.search(line.split("//")[0]):
         yield "a message names a flag of the program; use flag_hint()"
+    if is_cpp and BARE_CHECK.match(code):
+        yield "a check under a condition needs braces; g++ refuses it"
     if name.endswith((".txt", ".cmake", ".json", ".in")) and (found := BANNED_FLAGS.search(line)):
         yield f"'{found[0]}' changes bits"
     if name.endswith(COMMENTED) and (found := FRAGMENT.search(line)):

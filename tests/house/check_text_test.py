@@ -40,6 +40,12 @@ class Text(TreeTest):
         self.assertEqual(self.problems("program/som/a.cc", message), [])
         self.assertEqual(self.problems("src/base/tables/a.cc", 'flag_hint("skip");  // "--skip"\ni--;\n'), [])
 
+    def test_refuses_checks_under_conditions_without_braces(self):
+        for line in ("  if (named) EXPECT_EQ(a, b);", "} else if (f(a)) ASSERT_TRUE(b) << c;"):
+            self.assertEqual(len(self.problems("tests/maps/a_test.cc", line + "\n")), 1, line)
+        self.assertEqual(self.problems("tests/maps/a_test.cc", "  if (named) {\n    EXPECT_EQ(a, b);\n  }\n"
+                                       "  // if (a) EXPECT_EQ(b, c);\n  for (int i : all) EXPECT_GT(i, 0);\n"), [])
+
     def test_refuses_flags_that_change_bits(self):
         self.assertEqual(len(self.problems("CMakeLists.txt", "add_compile_options(-ffast-math)\n")), 1)
 

@@ -273,7 +273,9 @@ TEST_F(GrowingRecordingTest, LosesNothingThatWasReportedWhenTheDiskIsFull) {
     for (std::size_t i = 0; i < reported; ++i) {
       EXPECT_EQ(kept.explorations[i].channels, three_.explorations[i].channels);
     }
-    if (named) EXPECT_EQ(kept.explorations[0].labels[0].value, "cup");
+    if (named) {
+      EXPECT_EQ(kept.explorations[0].labels[0].value, "cup");
+    }
   }
 }
 

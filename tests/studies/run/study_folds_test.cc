@@ -144,7 +144,9 @@ TEST(StudyOfFolds, HaveTheBestNeighbourUnderEveryProtocol) {
     std::size_t folds = 0;
     for (const auto& [kind, count] : protocol.chosen_neighbours) folds += count;
     EXPECT_GE(folds, 2U);
-    if (protocol.protocol == "train_is_test") EXPECT_EQ(best->mean(), 1.0);
+    if (protocol.protocol == "train_is_test") {
+      EXPECT_EQ(best->mean(), 1.0);
+    }
   }
 }
 

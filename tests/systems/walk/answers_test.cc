@@ -86,7 +86,9 @@ TEST(Answers, HaveTheNoveltyAfterWhitening) {
       scale = *model.answer->labels[neuron] == 0 ? 20.0 : 50.0;
     }
     EXPECT_NEAR(answer.novelty.value(), least / scale / 0.8, 1e-9);
-    if (i == 9) EXPECT_EQ(answer.nearest, plain.nearest);
+    if (i == 9) {
+      EXPECT_EQ(answer.nearest, plain.nearest);
+    }
   }
 }
 
