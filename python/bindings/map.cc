@@ -481,6 +481,13 @@ nb::tuple Map::quality(const SampleRows& rows, std::size_t threads) const {
                         integers(quality.hits), array_of(std::move(winners)));
 }
 
+nb::object Map::relevances() const {
+  const std::vector<double>& relevances = model_.som.parameters().relevances;
+  if (relevances.empty()) return nb::none();
+  const std::size_t shape[] = {relevances.size()};
+  return array_of(std::vector<double>(relevances), shape);
+}
+
 nb::object Map::weights() const {
   const Som& som = model_.som;
   std::vector<float> weights(som.neurons() * som.input_size());
@@ -601,6 +608,7 @@ void bind_map(nb::module_& module) {
            nb::arg("threads"))
       .def_prop_ro("layers", &Map::layers)
       .def("weights", &Map::weights)
+      .def_prop_ro("relevances", &Map::relevances)
       .def("positions", &Map::positions)
       .def("u_matrix", &Map::u_matrix)
       .def("cells", &Map::cells)

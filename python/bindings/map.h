@@ -96,7 +96,11 @@ class Map {
   /// (name, columns, distance, weight, scale) of each layer.
   nanobind::list layers() const;
 
+  /// In the unit of the rows; float32 of (neurons, columns).
   nanobind::object weights() const;
+
+  /// The relevances of the columns, float64; None without.
+  nanobind::object relevances() const;
 
   /// The positions of the neurons on the map; float64 of (neurons, 2).
   nanobind::object positions() const;

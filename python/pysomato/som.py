@@ -82,13 +82,15 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
             with layers is the sum of theirs, each times weight and divided by scale.
         refine: ``"glvq"``: after training, ``fit`` moves the neurons by the labels y with generalized
             learning vector quantization, so that ``classify`` recognizes more samples; neighbouring
-            neurons are then less alike, which ``refinement_`` measures. For the Euclidean and the
+            neurons are then less alike, which ``refinement_`` measures. ``"grlvq"``: it also learns how
+            much each column counts in the distance, ``relevances_``. For the Euclidean and the
             manhattan distance, without layers. ``"none"``: labels do not affect the weights.
         refine_passes: Passes over all samples.
         refine_learning_rate: Learning rate at the start, 0 to 0.5, which falls to 0.
         refine_steepness_start: Steepness of the sigmoid at the start.
         refine_steepness_end: Its steepness at the end.
         refine_neighbours: Share of a step by which adjacent neurons of the same class follow, 0 to 1.
+        refine_relevance_rate: With ``"grlvq"``, by how much a sample changes relevances at the start.
 
     Attributes:
         map_: The trained map, which a notebook draws. Immutable.
@@ -121,7 +123,8 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
                  activity_norm="maximum", random_state=1, seed=None, missing="refuse",
                  extra_columns="refuse", unlabelled=None, threads=None, verbose=False,
                  layers=None, refine="none", refine_passes=30, refine_learning_rate=0.1,
-                 refine_steepness_start=2.0, refine_steepness_end=30.0, refine_neighbours=0.3):
+                 refine_steepness_start=2.0, refine_steepness_end=30.0, refine_neighbours=0.3,
+                 refine_relevance_rate=0.03):
         self.rows = rows
         self.columns = columns
         self.lattice = lattice
@@ -163,6 +166,7 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         self.refine_steepness_start = refine_steepness_start
         self.refine_steepness_end = refine_steepness_end
         self.refine_neighbours = refine_neighbours
+        self.refine_relevance_rate = refine_relevance_rate
 
     def fit(self, X, y=None) -> "SOM":
         """Trains a new map on the rows of X.
@@ -234,6 +238,9 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         if self.refine != "none":
             raise UsageError("partial_fit learns without labels, which a refinement needs",
                              "SOM(refine)", 'use refine="none", or fit')
+        if not begins and self.map_.relevances is not None:
+            raise UsageError("a map with relevances, which labels have refined, does not learn further",
+                             "SOM.partial_fit", "fit a map with all rows")
         X = self._rows(X, reset=begins, further=True)
         X = X.filled() if begins else X
         before = _somato.Map.initial(self._map_parameters(), X) if begins else self.map_
@@ -381,6 +388,18 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         """Weights of the neurons, row by row; float32 of (neurons, columns)."""
         check_fitted(self, "map_")
         return self.map_.weights()
+
+    @property
+    def relevances_(self) -> np.ndarray:
+        """How much each column counts in the distance, 1 on average; float64 of (columns,).
+
+        The distance of a row x from weights w is sqrt(sum(relevances_ * (x - w)**2)), and with
+        ``similarity="manhattan"`` sum(relevances_ * abs(x - w)). Only of a map of ``refine="grlvq"``.
+        """
+        check_fitted(self, "map_")
+        if self.map_.relevances is None:
+            raise AttributeError('only a map of refine="grlvq" has relevances')
+        return self.map_.relevances
 
     @property
     def positions_(self) -> np.ndarray:

@@ -144,7 +144,7 @@ def som(most_share=None, **parameters):
         sides = {} if most_share is None else sides_within(most_share, len(train))
         model = pysomato.SOMClassifier(**sides, **parameters, random_state=seed, threads=1)
         model.fit(train.astype(np.float32), labels)
-        return model.predict(test.astype(np.float32)), neurons(model)
+        return model.predict(test.astype(np.float32)), neurons(model) + hasattr(model, "relevances_")
     return classify
 
 
@@ -215,9 +215,12 @@ def needs_names():
         raise MissingFeature(f"growing_when_required of pysomato {pysomato.__version__} has no by_names") from error
 
 
-def needs_refinement():
-    if "refine" not in inspect.signature(pysomato.SOM.__init__).parameters:
-        raise MissingFeature(f"pysomato {pysomato.__version__} has no SOM(refine=...)")
+def needs(parameter):
+    """A check that SOM has this parameter."""
+    def check():
+        if parameter not in inspect.signature(pysomato.SOM.__init__).parameters:
+            raise MissingFeature(f"pysomato {pysomato.__version__} has no SOM({parameter}=...)")
+    return check
 
 
 ALL = ("touch", "points", "early")
@@ -231,11 +234,18 @@ METHODS = {method.name: method for method in (
     Method("suggested", "system of `suggest`", "suggest(label=...), raw", suggested,
            is_random=True, uses_somato=True, groups=("touch",)),
     Method("refined", "map, refined", f'SOMClassifier(refine="glvq"), {HALF}, standardized', som(0.5, refine="glvq"),
-           is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL, check=needs_refinement),
+           is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL, check=needs("refine")),
     Method("refined_manhattan", "map, Manhattan, refined",
            f'SOMClassifier(refine="glvq", similarity="manhattan"), {HALF}, standardized',
            som(0.5, refine="glvq", similarity="manhattan"),
-           is_random=True, uses_somato=True, like=MANHATTAN, check=needs_refinement),
+           is_random=True, uses_somato=True, like=MANHATTAN, check=needs("refine")),
+    Method("relevance", "map, relevances", f'SOMClassifier(refine="grlvq"), {HALF}, standardized',
+           som(0.5, refine="grlvq"), is_random=True, uses_somato=True, like=EUCLIDEAN,
+           check=needs("refine_relevance_rate")),
+    Method("relevance_manhattan", "map, Manhattan, relevances",
+           f'SOMClassifier(refine="grlvq", similarity="manhattan"), {HALF}, standardized',
+           som(0.5, refine="grlvq", similarity="manhattan"),
+           is_random=True, uses_somato=True, like=MANHATTAN, check=needs("refine_relevance_rate")),
     Method("growing", "growing map",
            f"growing_when_required as in docs/continual.md, most_neurons = samples, standardized\n{GROWING}",
            growing(GROWING), is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL),

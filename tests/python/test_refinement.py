@@ -2,6 +2,7 @@
 
 import json
 import os
+import pickle
 import subprocess
 
 import numpy as np
@@ -110,8 +111,11 @@ def test_the_unit_of_the_data_has_no_effect(stripes):
                                   {"normalize_input": True},
                                   {"refine_passes": 3, "refine_neighbours": 0.0,
                                    "refine_learning_rate": 0.3, "refine_steepness_start": 1.0,
-                                   "refine_steepness_end": 9.0}],
-                         ids=["plain", "hexagonal", "batch", "normalized", "parameters"])
+                                   "refine_steepness_end": 9.0},
+                                  {"refine": "grlvq"},
+                                  {"refine": "grlvq", "refine_relevance_rate": 0.2, "similarity": "manhattan"}],
+                         ids=["plain", "hexagonal", "batch", "normalized", "parameters", "relevances",
+                              "relevances of manhattan"])
 def test_the_program_refines_to_the_same_model(somato, tmp_path, stripes, more):
     X, y = stripes
     settings = {name: value for name, value in {**TWO_CLASSES, "refine": "glvq", **more}.items()
@@ -132,6 +136,72 @@ def test_the_program_refines_to_the_same_model(somato, tmp_path, stripes, more):
     loaded = SOM.load(tmp_path / "map.somato")
     np.testing.assert_array_equal(loaded.weights_, mine.weights_)
     assert loaded.score(X, y) == mine.score(X, y)
+
+
+def weighted_distances(som, X):
+    """By the definition of relevances, in the unit of the rows."""
+    apart = np.abs(X[:, None].astype(float) - som.weights_[None].astype(float))
+    if som.similarity == "manhattan":
+        return (som.relevances_ * apart).sum(axis=2)
+    return np.sqrt((som.relevances_ * apart**2).sum(axis=2))
+
+
+@pytest.mark.parametrize("similarity", ["euclidean", "manhattan"])
+def test_relevances_weigh_the_distance_everywhere(stripes, tmp_path, similarity):
+    X, y = stripes
+    X = np.column_stack([X, np.full(len(X), 7.0)]).astype(np.float32)
+    som = SOM(**TWO_CLASSES, similarity=similarity, refine="grlvq").fit(X[:200], y[:200])
+    assert som.relevances_.shape == (3,)
+    assert som.relevances_.mean() == pytest.approx(1)
+    assert som.relevances_[0] > 1.2 * som.relevances_[1] > 0
+    distances = weighted_distances(som, X)
+    nearest = np.sort(distances, axis=1)
+    clear = nearest[:, 1] - nearest[:, 0] > 1e-4
+    assert clear.sum() > 250
+    np.testing.assert_array_equal(som.predict(X)[clear], distances.argmin(axis=1)[clear])
+    assert som.quantization_error_ == pytest.approx(nearest[:200, 0].mean(), rel=1e-5)
+    np.testing.assert_allclose(som.distances(X), distances, rtol=1e-4, atol=1e-4)
+    np.testing.assert_array_equal(som.quantize(X), som.weights_[som.predict(X)])
+    for name in ("map.somato", "map.npz"):
+        som.save(tmp_path / name) if name == "map.somato" else som.export(tmp_path / name)
+        loaded = SOM.load(tmp_path / name)
+        np.testing.assert_array_equal(loaded.relevances_, som.relevances_)
+        np.testing.assert_array_equal(loaded.weights_, som.weights_)
+        np.testing.assert_array_equal(loaded.predict(X), som.predict(X))
+        with pytest.raises(UsageError, match="relevances"):
+            loaded.partial_fit(X)
+    copy = pickle.loads(pickle.dumps(som))
+    np.testing.assert_array_equal(copy.relevances_, som.relevances_)
+    with np.load(tmp_path / "map.npz") as archive:
+        scales = archive["relevances"] if similarity == "manhattan" else np.sqrt(archive["relevances"])
+        np.testing.assert_allclose(archive["weights"].reshape(25, 3) / scales, som.weights_, rtol=1e-5, atol=1e-6)
+
+
+def test_maps_without_relevances_have_none(stripes):
+    X, y = stripes
+    for refine in ("none", "glvq"):
+        som = SOM(**TWO_CLASSES, refine=refine).fit(X, y)
+        assert not hasattr(som, "relevances_")
+    still = SOM(**TWO_CLASSES, refine="grlvq", refine_relevance_rate=0.0).fit(X, y)
+    np.testing.assert_array_equal(still.relevances_, [1, 1])
+    np.testing.assert_array_equal(still.weights_, som.weights_)
+
+
+def test_relevances_do_not_depend_on_the_unit_or_on_threads(stripes):
+    X, y = stripes
+    small = SOM(**TWO_CLASSES, refine="grlvq", threads=1).fit(X, y)
+    large = SOM(**TWO_CLASSES, refine="grlvq", threads=3).fit(X * np.float32(1024), y)
+    np.testing.assert_array_equal(large.relevances_, small.relevances_)
+    np.testing.assert_array_equal(large.weights_, small.weights_ * np.float32(1024))
+
+
+def test_missing_values_are_left_out_with_relevances(stripes):
+    X, y = stripes
+    X = X.copy()
+    X[::7, 1] = np.nan
+    som = SOM(**TWO_CLASSES, refine="grlvq", missing="leave_out").fit(X, y)
+    assert som.score(X, y) > SOM(**TWO_CLASSES, missing="leave_out").fit(X, y).score(X, y)
+    assert np.isfinite(som.weights_).all()
 
 
 def test_missing_values_are_left_out(stripes):
@@ -171,6 +241,8 @@ def test_estimators(stripes):
     ({"refine": "glvq", "refine_passes": 0}, "refine_passes"),
     ({"refine": "lvq"}, "glvq"),
     ({"refine_passes": 5}, "has no effect, because refine is none"),
+    ({"refine": "glvq", "refine_relevance_rate": 0.1}, "has no effect, because refine is glvq"),
+    ({"refine": "grlvq", "similarity": "cosine"}, "a step of grlvq"),
 ])
 def test_what_is_refused(stripes, parameters, message):
     X, y = stripes
@@ -206,9 +278,9 @@ def test_the_program_refuses(tmp_path, stripes, flags, message):
 
 def test_a_study_states_the_order_before_and_after(recording, tmp_path):
     metrics = {}
-    for refine in ("none", "glvq"):
+    for refine in ("none", "glvq", "grlvq"):
         path = tmp_path / f"{refine}.toml"
-        path.write_text(STUDY if refine == "none" else STUDY + 'refine = "glvq"\n')
+        path.write_text(STUDY if refine == "none" else STUDY + f'refine = "{refine}"\n')
         outcome = study(recording, path)
         protocol = outcome.results["parts"][0]["protocols"][0]
         metrics[refine] = {name: one["mean"] for name, one in protocol["metrics"].items()}

@@ -8,6 +8,7 @@
 #include "maps/reading/known_elements.h"
 #include "maps/reading/sample_reader.h"
 #include "maps/reading/similarity_scores.h"
+#include "maps/som/relevances.h"
 #include "somato/core/check.h"
 #include "somato/maps/layers.h"
 
@@ -66,6 +67,7 @@ Compared compare(const Som& som, const SignalView& input, DecidingNeurons neuron
   if (parameters.similarity == Similarity::kManhattan) {
     all.left_out = elements.magnitude_of_others(known.view(), factor);
   }
+  multiply(som.input_scales(), all.x);
   for (std::size_t i = 0; i < input.values.size(); ++i) {
     if (!std::isnan(input.values[i])) continue;
     const auto place = elements.place_of(input.sparse ? input.indices[i] : i);
