@@ -244,4 +244,8 @@ class Som {
 /// are unchanged.
 void normalize_length(std::span<float> values);
 
+/// Multiplies each value by the scale of the same place (Som::input_scales()); without scales the
+/// values stay.
+void scale_elements(std::span<const float> scales, std::span<float> values);
+
 }  // namespace somato

@@ -8,7 +8,6 @@
 #include "maps/reading/known_elements.h"
 #include "maps/reading/sample_reader.h"
 #include "maps/reading/similarity_scores.h"
-#include "maps/som/relevances.h"
 #include "somato/core/check.h"
 #include "somato/maps/layers.h"
 
@@ -67,7 +66,7 @@ Compared compare(const Som& som, const SignalView& input, DecidingNeurons neuron
   if (parameters.similarity == Similarity::kManhattan) {
     all.left_out = elements.magnitude_of_others(known.view(), factor);
   }
-  multiply(som.input_scales(), all.x);
+  scale_elements(som.input_scales(), all.x);
   for (std::size_t i = 0; i < input.values.size(); ++i) {
     if (!std::isnan(input.values[i])) continue;
     const auto place = elements.place_of(input.sparse ? input.indices[i] : i);

@@ -9,7 +9,6 @@
 #include "base/core/lanes.h"
 #include "base/core/threads.h"
 #include "maps/reading/known_elements.h"
-#include "maps/som/relevances.h"
 #include "somato/core/check.h"
 #include "somato/core/matrix.h"
 
@@ -19,7 +18,7 @@ namespace {
 std::size_t winner_by_known(const Som& som, std::span<const float> sample,
                             std::span<float> scores) {
   std::vector<float> seen(sample.begin(), sample.end());
-  multiply(som.input_scales(), seen);
+  scale_elements(som.input_scales(), seen);
   const std::vector<KnownRun> runs = known_runs(seen);
   const KnownScores known(som.parameters(), seen, runs);
   known.write(kernels::lanes(som.weights()), som.neurons(), scores.data());

@@ -36,7 +36,7 @@ std::vector<float> scales_of_relevances(const SomParameters& parameters) {
   return scales;
 }
 
-void multiply(std::span<const float> scales, std::span<float> values) {
+void scale_elements(std::span<const float> scales, std::span<float> values) {
   for (std::size_t d = 0; d < scales.size(); ++d) values[d] *= scales[d];
 }
 

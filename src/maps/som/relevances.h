@@ -17,9 +17,6 @@ bool are_relevances(std::span<const double> relevances);
 /// Som::input_scales() of these parameters; empty without relevances.
 std::vector<float> scales_of_relevances(const SomParameters& parameters);
 
-/// Multiplies each value by the scale of the same place; no scales leave the values as they are.
-void multiply(std::span<const float> scales, std::span<float> values);
-
 /// Adds the relevances to an archive; nothing without relevances.
 void add_relevances(Archive& archive, const std::string& name, const SomParameters& parameters);
 

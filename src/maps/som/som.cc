@@ -127,7 +127,7 @@ std::span<const float> Som::prepare(const SignalView& input, SomWorkspace& works
   if (parameters_.similarity == Similarity::kManhattan) {
     workspace.left_out_ = elements_.magnitude_of_others(input, factor);
   }
-  multiply(input_scales_, workspace.input_);
+  scale_elements(input_scales_, workspace.input_);
   return workspace.input_;
 }
 

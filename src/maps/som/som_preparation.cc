@@ -33,7 +33,7 @@ Samples prepared_dense(const Samples& samples, bool normalize, std::span<const f
   for (std::size_t i = 0; i < rows.rows(); ++i) {
     write_dense(samples[i], rows.row(i));
     if (normalize) normalize_length(rows.row(i));
-    multiply(scales, rows.row(i));
+    scale_elements(scales, rows.row(i));
   }
   return Samples(std::move(rows));
 }

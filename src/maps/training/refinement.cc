@@ -12,7 +12,6 @@
 #include "maps/reading/winner_search.h"
 #include "maps/som/fill_from_winner.h"
 #include "maps/som/map_rows.h"
-#include "maps/som/relevances.h"
 #include "maps/som/som_preparation.h"
 #include "maps/som/stop.h"
 #include "maps/training/glvq.h"
@@ -109,7 +108,7 @@ Result<void> run_passes(Som& som, Glvq& glvq, const Samples& seen,
   for (std::uint64_t done = 0; done < total; ++done) {
     const std::size_t sample = draws.next();
     write_dense(seen[sample], row);
-    multiply(som.input_scales(), row);
+    scale_elements(som.input_scales(), row);
     glvq.learn(row, classes[sample], step_at(parameters, done, total));
     const bool is_update = (done + 1) % kSamplesBetweenUpdates == 0 || done + 1 == total;
     if (parameters.refine == Refinement::kGrlvq && is_update) glvq.update_relevances();

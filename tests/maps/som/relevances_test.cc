@@ -208,6 +208,9 @@ TEST(Relevances, OtherDistancesAndFurtherLearningAreRefused) {
   Som som(resolve(p, 2, 2).value(), weights);
   som.set_relevances({1.5, 0.5});
   EXPECT_THROW(SomLearner{som}, InvalidArgument);
+  TrainingOptions options;
+  options.start = &som;
+  EXPECT_FALSE(train_som(p, weights, options));
 }
 
 }  // namespace
