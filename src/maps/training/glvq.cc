@@ -16,7 +16,8 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-// Of the logarithm of a relevance in an update, so that few extreme samples decide nothing.
+// An update changes the logarithm of a relevance by at most this, so that few extreme samples do
+// not decide.
 constexpr double kMostStep = 1.0;
 
 // Weights keep their precision in the unit of the input, for pictures and files.
