@@ -161,7 +161,8 @@ class GrowingWeights {
   /// The two neurons nearest to `input` by the similarity; in a tie the first ones.
   Winners nearest_two(std::span<const float> input) const;
 
-  /// Of the neurons that `counts` accepts, the nearest one to `input`, the first in a tie.
+  /// The neuron nearest to `input` among those that `counts` accepts, the first in a tie; none if
+  /// it accepts none.
   template <typename Counts>
   std::optional<std::size_t> nearest_of(std::span<const float> input, const Counts& counts) const {
     std::optional<std::size_t> nearest;

@@ -317,8 +317,7 @@ bool GrowingWhenRequired::class_is_full(std::size_t the_class) const {
   return static_cast<double>(kept) >= std::max(1.0, std::floor(*parameters_.most_share * samples));
 }
 
-// Of the neurons of the input's class the nearest one, the first in a tie, takes the mean of its
-// inputs.
+// The nearest neuron of the input's class, the first in a tie, takes the mean of its inputs.
 void GrowingWhenRequired::move_own(std::span<const float> input, std::size_t the_class) {
   const auto own =
       weights_.nearest_of(input, [&](std::size_t neuron) { return names_[neuron] == the_class; });

@@ -31,7 +31,7 @@ class GrowingKind {
   /// Whether it learns the names of samples, and cannot learn without them.
   virtual bool learns_names() const = 0;
 
-  /// What labels do with a map that has grown.
+  /// The refinement of a map that has grown, by labels.
   virtual RefinementParameters refinement() const { return {}; }
 
   /// Refuses settings that do not fit each other.
