@@ -44,6 +44,8 @@ habituation_threshold = 2.0
 insertion_share = 1.0
 """
 BY_NAMES = "by_names = true\n"  # of growing_when_required
+SHARED = (GROWING.replace("activity_threshold = 0.4", "activity_threshold = 0.22") + BY_NAMES
+          + 'most_share = 0.3\nsimilarity = "manhattan"\nrefine = "glvq"\n')
 
 
 class MissingFeature(Exception):
@@ -207,12 +209,14 @@ def grown_map(text, train, labels, seed):
     return study_of(rows_of(train, labels), system, seed).som
 
 
-def needs_names():
+def needs_keys(text):
     """Keys of modules are checked when a system is trained."""
-    try:
-        grown_map(GROWING + BY_NAMES, np.eye(4), np.array(["a", "a", "b", "b"]), 1)
-    except pysomato.UsageError as error:
-        raise MissingFeature(f"growing_when_required of pysomato {pysomato.__version__} has no by_names") from error
+    def check():
+        try:
+            grown_map(text, np.eye(4), np.array(["a", "a", "b", "b"]), 1)
+        except pysomato.UsageError as error:
+            raise MissingFeature(f"growing_when_required of pysomato {pysomato.__version__}: {error}") from error
+    return check
 
 
 def needs(parameter):
@@ -251,7 +255,10 @@ METHODS = {method.name: method for method in (
            growing(GROWING), is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL),
     Method("growing_by_names", "growing map, by names", f"the same with {BY_NAMES}{GROWING}",
            growing(GROWING + BY_NAMES), is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL,
-           check=needs_names),
+           check=needs_keys(GROWING + BY_NAMES)),
+    Method("growing_refined", "growing map, by names, refined",
+           f"at most 30 % of each class, Manhattan, refined, most_neurons = samples, standardized\n{SHARED}",
+           growing(SHARED), is_random=True, uses_somato=True, like=MANHATTAN, check=needs_keys(SHARED)),
     Method("best_neighbour", "best nearest neighbour", "distance and scale chosen inside the training part",
            best_neighbour, groups=ALL),
     *(Method(f"{metric}_{scale}", f"nearest neighbour, {metric.capitalize()}, {scale}", "KNeighborsClassifier(1)",
