@@ -215,6 +215,11 @@ def needs_names():
         raise MissingFeature(f"growing_when_required of pysomato {pysomato.__version__} has no by_names") from error
 
 
+def needs_size():
+    if "size" not in inspect.signature(pysomato.SOM.__init__).parameters:
+        raise MissingFeature(f"pysomato {pysomato.__version__} has no SOM(size=...)")
+
+
 def needs_refinement():
     if "refine" not in inspect.signature(pysomato.SOM.__init__).parameters:
         raise MissingFeature(f"pysomato {pysomato.__version__} has no SOM(refine=...)")
@@ -228,6 +233,10 @@ METHODS = {method.name: method for method in (
            is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL),
     Method("manhattan", "map, Manhattan", 'SOMClassifier(similarity="manhattan"), standardized',
            som(similarity="manhattan"), is_random=True, uses_somato=True, like=MANHATTAN),
+    Method("measured", "map of measured size, Manhattan",
+           'SOMClassifier(size="measured", similarity="manhattan"), standardized',
+           som(size="measured", similarity="manhattan"), is_random=True, uses_somato=True, like=MANHATTAN,
+           check=needs_size),
     Method("suggested", "system of `suggest`", "suggest(label=...), raw", suggested,
            is_random=True, uses_somato=True, groups=("touch",)),
     Method("refined", "map, refined", f'SOMClassifier(refine="glvq"), {HALF}, standardized', som(0.5, refine="glvq"),
