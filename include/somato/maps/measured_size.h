@@ -64,7 +64,7 @@ struct SizeOptions {
 /// and as many neurons as samples learn four of five samples in batches, and the distance of each
 /// fifth one is measured. The least number is taken than which the best one is not better by more
 /// than one standard error of the differences (the rule of Breiman and others, Classification and
-/// Regression Trees, 1984), or by at most a thousandth of the distance from a single neuron.
+/// Regression Trees, 1984), or by at most 1e-4 of the distance from a single neuron.
 /// `parameters` give the similarity, the grid and the layers of the maps. Without labels, and the
 /// same for any number of threads.
 ///

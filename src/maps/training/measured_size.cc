@@ -22,6 +22,7 @@ constexpr std::size_t kMostMeasured = 2500;       // samples
 constexpr std::uint64_t kEpochs = 100;
 constexpr std::uint64_t kEpochsOfCheck = 20;
 constexpr double kTolerance = 0.001;
+constexpr double kLeastGain = 1e-4;     // of the distance from a single neuron, above rounding
 constexpr double kRadiusStart = 0.125;  // of the longer side
 constexpr double kRadiusEnd = 0.2;      // neighbours then learn less than 1e-5 of the winner
 constexpr double kLargest = 50.0;       // neurons, times the root of the samples
@@ -174,7 +175,7 @@ Result<MeasuredSize> measured_size(const SomParameters& parameters, const Sample
     measured.checks.push_back({one.neurons, one.error()});
     tried.push_back(std::move(one));
   }
-  measured.share = smallest_sufficient(tried, kTolerance * single.error());
+  measured.share = smallest_sufficient(tried, kLeastGain * single.error());
   return measured;
 }
 
