@@ -13,6 +13,7 @@
 #include "recordings/bags/bag_description.h"
 #include "somato/bodies/object_table.h"
 #include "somato/maps/clusters.h"
+#include "somato/maps/measured_size.h"
 #include "somato/maps/refinement.h"
 #include "somato/maps/som_measures.h"
 #include "somato/maps/som_parameters.h"
@@ -177,6 +178,10 @@ std::string reference_page(const std::vector<Command>& commands) {
       "## Maps\n\nKeys of a module of type `som`; those of other types are listed with "
       "[them](modules.md).\n\n";
   add_table<SomParameters>(page, "map");
+  page +=
+      "## Measured size of maps\n\nA flag of `somato som train`; it is no key of a file, in which "
+      "[`suggest`](../suggest.md#size-and-length) writes the size that it measures.\n\n";
+  add_table<SizeParameters>(page, "size");
   page +=
       "## Refinement of maps by labels\n\nFurther keys of a module of type `som`, and flags of "
       "`somato som train`. [refinement.md](../mathematics/refinement.md) gives the equations.\n\n";

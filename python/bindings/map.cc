@@ -21,6 +21,7 @@
 #include "parameters.h"
 #include "somato/maps/contributions.h"
 #include "somato/maps/layers.h"
+#include "somato/maps/measured_size.h"
 #include "somato/maps/refinement.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_quality.h"
@@ -78,6 +79,16 @@ SomParameters checked_parameters(const nb::dict& all_values) {
     throw Failure{without_effect(parameter.info.name, reason, kPlace)};
   }
   return parameters;
+}
+
+// Parameters that a measured size decides must have their defaults.
+void check_decided_by_size(const SomParameters& parameters) {
+  const SomParameters defaults;
+  for (const auto& parameter : SomParameters::declarations().all()) {
+    if (parameter.read(parameters) == parameter.read(defaults)) continue;
+    const std::string reason = reason_without_effect(SizeChoice::kMeasured, parameter.info.name);
+    if (!reason.empty()) throw Failure{without_effect(parameter.info.name, reason, kPlace)};
+  }
 }
 
 RefinementParameters checked_refinement(const nb::dict& values) {
@@ -209,6 +220,27 @@ Map Map::train(const nb::dict& values, const SampleRows& rows, std::size_t threa
   const bool counts = parameters.is_length_automatic() && parameters.training == Training::kOnline;
   if (counts) map.model_.samples_seen = steps;
   return map;
+}
+
+nb::tuple Map::sized(const nb::dict& values, const SampleRows& rows, std::size_t threads) {
+  const SomParameters parameters = checked_parameters(values);
+  check_decided_by_size(parameters);
+  std::optional<SizedParameters> sized;
+  unlocked([&](Interrupts& interrupts) {
+    const auto proceed = [&]() -> Result<void> {
+      if (interrupts.proceed()) return {};
+      return fail(ErrorKind::kInterrupted, "the measurement of the size was stopped");
+    };
+    auto found =
+        sized_by_measurement(parameters, rows.all(), {.threads = threads, .proceed = proceed});
+    if (!found && found.error().kind == ErrorKind::kInterrupted) return;
+    sized = value_or_throw(std::move(found));
+  });
+  nb::list checks;
+  for (const SizeCheck& check : sized->size.checks) {
+    checks.append(nb::make_tuple(check.neurons, check.error));
+  }
+  return nb::make_tuple(dict_of(sized->parameters), checks);
 }
 
 Map Map::initial(const nb::dict& values, const SampleRows& rows) {
@@ -570,6 +602,9 @@ void bind_map(nb::module_& module) {
       "som_parameters", [] { return descriptions_of(SomParameters::declarations().infos()); },
       "The parameters of a SOM: name, type, unit, text, range, choices and default.");
   module.def(
+      "size_parameters", [] { return descriptions_of(SizeParameters::declarations().infos()); },
+      "The choice of a map's size, as the parameters of a SOM.");
+  module.def(
       "refinement_parameters",
       [] { return descriptions_of(RefinementParameters::declarations().infos()); },
       "The parameters of a refinement by labels, as of a SOM.");
@@ -584,6 +619,7 @@ void bind_map(nb::module_& module) {
   nb::class_<Map>(module, "Map", "A trained map, as model files contain it.")
       .def_static("train", &Map::train, nb::arg("parameters"), nb::arg("rows"), nb::arg("threads"),
                   nb::arg("progress").none() = nb::none())
+      .def_static("sized", &Map::sized, nb::arg("parameters"), nb::arg("rows"), nb::arg("threads"))
       .def_static("initial", &Map::initial, nb::arg("parameters"), nb::arg("rows"))
       .def_static("of_weights", &Map::of_weights, nb::arg("parameters"),
                   nb::arg("weights").noconvert(), nb::arg("shape"), nb::arg("features"))

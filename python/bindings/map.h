@@ -26,6 +26,12 @@ class Map {
   static Map train(const nanobind::dict& parameters, const SampleRows& rows, std::size_t threads,
                    nanobind::object progress);
 
+  /// The parameters of a map of measured size for the rows, and the checks: pairs of a number of
+  /// neurons and a mean distance. Throws Failure as sized_by_measurement(), and for parameters
+  /// that the size decides.
+  static nanobind::tuple sized(const nanobind::dict& parameters, const SampleRows& rows,
+                               std::size_t threads);
+
   /// The initial map for rows.
   static Map initial(const nanobind::dict& parameters, const SampleRows& rows);
 

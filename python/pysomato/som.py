@@ -20,9 +20,11 @@ from .errors import DataError, LabelWarning, LeftOutWarning, UsageError
 
 _OF_REFINEMENT = [parameter["name"] for parameter in _somato.refinement_parameters()]
 
+_SIZES = _somato.size_parameters()[0]["choices"]
+
 # In __init__, but not parameters of a map.
 _NOT_OF_MAP = {"random_state", "seed", "missing", "extra_columns", "unlabelled", "threads", "verbose",
-               *_OF_REFINEMENT}
+               "size", *_OF_REFINEMENT}
 
 
 class Contributions(NamedTuple):
@@ -56,7 +58,8 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
 
     Args:
         rows: Rows of the map; None: about 10 sqrt(samples) neurons in an approximately square map, with
-            20,000 iterations, or 100 per neuron, and a final radius of 0.5, unless these are given.
+            20,000 iterations, or 100 per neuron, and a final radius of 0.5, unless these are given;
+            or as ``size`` requires.
         columns: Columns of the map; None: as for rows.
         random_state: The seed of the initial weights and draws: a whole number, which gives the same map
             each time; or a RandomState or Generator of numpy, or None for numpy's own, from which each
@@ -80,6 +83,12 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
             number of columns or their names, and perhaps its distance, its weight, and the distance
             that counts as 1, by default the mean distance of training samples. The distance of a map
             with layers is the sum of theirs, each times weight and divided by scale.
+        size: ``"measured"``: the size and the length follow from the rows, without labels. The number of
+            neurons is the least, from a sixteenth of that of the rows to as many, than which the best does
+            not lower the distance of rows that are held out by more than one standard error; training is in batches, until
+            nothing improves, with a final radius of 0.2. Such a map classifies better and is less suitable
+            for looking at (docs/decisions/0040-automatic-size.md). Parameters that it decides, such as
+            rows, columns, training and radius_end, must be left out. Rows without missing values.
         refine: ``"glvq"``: after training, ``fit`` moves the neurons by the labels y with generalized
             learning vector quantization, so that ``classify`` recognizes more samples; neighbouring
             neurons are then less alike, which ``refinement_`` measures. ``"grlvq"``: it also learns how
@@ -101,6 +110,8 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
             ``fit``.
         steps_: Number of iterations, or epochs in batch training, that ``fit`` has made: with a
             ``tolerance`` more than ``iterations`` or ``epochs``.
+        size_checks_: With ``size="measured"``, pairs (neurons, mean distance of rows that were held out)
+            in the order of the measurement.
         refinement_: With ``refine``, a dictionary: ``before`` and ``after`` are dictionaries with
             ``quantization_error``, ``topographic_error``, ``trustworthiness`` and ``continuity`` of
             the map for the training samples (the latter two compare 5 neighbours of 500 random samples,
@@ -124,7 +135,7 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
                  extra_columns="refuse", unlabelled=None, threads=None, verbose=False,
                  layers=None, refine="none", refine_passes=30, refine_learning_rate=0.1,
                  refine_steepness_start=2.0, refine_steepness_end=30.0, refine_neighbours=0.3,
-                 refine_relevance_rate=0.03):
+                 refine_relevance_rate=0.03, size="by_number"):
         self.rows = rows
         self.columns = columns
         self.lattice = lattice
@@ -167,6 +178,7 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         self.refine_steepness_end = refine_steepness_end
         self.refine_neighbours = refine_neighbours
         self.refine_relevance_rate = refine_relevance_rate
+        self.size = size
 
     def fit(self, X, y=None) -> "SOM":
         """Trains a new map on the rows of X.
@@ -190,6 +202,9 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         labels = None if y is None else self._labels_to_learn(y, X)
         parameters = self._map_parameters()
         self._check_refinement(parameters, labels)
+        checks = None
+        if self._is_size_measured():
+            parameters, checks = self._sized(parameters, X)
         with shown(type(self).__name__, bool(self.verbose)) as show:
             trained = _somato.Map.train(parameters, X, self._threads(), show)
         steps, order = trained.steps, None
@@ -199,6 +214,8 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
                                                  show)
         self._forget()
         self.steps_ = steps
+        if checks is not None:
+            self.size_checks_ = checks
         if order is not None:
             self.refinement_ = order
         found = trained.quality(X, self._threads())
@@ -235,6 +252,9 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
         if begins and self.tolerance:
             raise UsageError("partial_fit learns each sample once, whatever the error is",
                              "SOM(tolerance)", "use tolerance=0, or fit")
+        if self._is_size_measured():
+            raise UsageError("partial_fit knows only a part of the rows, by which no size can be measured",
+                             "SOM(size)", 'use size="by_number", or fit')
         if self.refine != "none":
             raise UsageError("partial_fit learns without labels, which a refinement needs",
                              "SOM(refine)", 'use refine="none", or fit')
@@ -645,6 +665,16 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
             values["layers"] = layers_of(self.layers, getattr(self, "feature_names_in_", None))
         return {**values, "seed": seed_of(self.random_state, self.seed, type(self).__name__)}
 
+    def _is_size_measured(self):
+        if self.size not in _SIZES:
+            raise UsageError(f"there is no size {self.size!r}", "SOM(size)", f"choose one of {', '.join(_SIZES)}")
+        return self.size == "measured"
+
+    def _sized(self, parameters, X):
+        """The parameters of a map of measured size, and the checks of the measurement."""
+        sized, checks = _somato.Map.sized(parameters, X, self._threads())
+        return {**sized, **{name: value for name, value in parameters.items() if name == "layers"}}, checks
+
     def _refinement(self):
         return {name: getattr(self, name) for name in _OF_REFINEMENT}
 
@@ -715,7 +745,7 @@ class SOM(MapAnalysis, ClassNamePrefixFeaturesOutMixin, TransformerMixin, BaseEs
 
     def _forget(self):
         """Removes what describes the samples of an earlier training."""
-        for name in ("steps_", "refinement_", "quantization_error_", "topographic_error_", "hits_", "winners_",
+        for name in ("steps_", "size_checks_", "refinement_", "quantization_error_", "topographic_error_", "hits_", "winners_",
                      "classes_", "_classes_of_samples"):
             self.__dict__.pop(name, None)
 

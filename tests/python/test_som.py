@@ -23,7 +23,7 @@ def value_of(text):
 def test_parameters_have_the_names_and_defaults_of_the_library():
     defaults = {name: parameter.default for name, parameter in signature(SOM).parameters.items()
                 if name not in ("seed", "missing", "extra_columns", "unlabelled", "threads", "verbose",
-                                "layers") and not name.startswith("refine")}
+                                "layers", "size") and not name.startswith("refine")}
     declared = _somato.som_parameters()
     defaults["seed"] = defaults.pop("random_state")  # its name in scikit-learn
     assert list(defaults) == [info["name"] for info in declared]

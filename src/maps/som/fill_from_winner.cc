@@ -36,6 +36,16 @@ void fill_from_winner(const Som& som, std::span<float> sample, std::span<float> 
 
 }  // namespace
 
+bool has_missing(const Samples& samples) {
+  if (samples.is_sparse()) return false;
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    if (std::ranges::any_of(samples[i].values, [](float value) { return std::isnan(value); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Result<void> check_takes_incomplete(const Som& som) {
   const SomParameters& parameters = som.parameters();
   const auto by_cosine = [](const Layer& layer) { return layer.similarity == Similarity::kCosine; };

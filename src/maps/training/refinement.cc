@@ -24,16 +24,6 @@ namespace {
 
 using SampleClasses = std::vector<std::optional<std::size_t>>;
 
-bool has_missing(const Samples& samples) {
-  if (samples.is_sparse()) return false;
-  for (std::size_t i = 0; i < samples.count(); ++i) {
-    for (const float value : samples[i].values) {
-      if (std::isnan(value)) return true;
-    }
-  }
-  return false;
-}
-
 // The samples that have a class.
 struct LabelledSamples {
   Samples samples;

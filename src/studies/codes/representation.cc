@@ -1,4 +1,4 @@
-#include "studies/suggestion/representation.h"
+#include "studies/codes/representation.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/suggestion/views.h"
+#include "studies/codes/views.h"
 
 #include <gtest/gtest.h>
 

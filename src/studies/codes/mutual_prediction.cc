@@ -1,9 +1,9 @@
-#include "studies/suggestion/mutual_prediction.h"
+#include "studies/codes/mutual_prediction.h"
 
 #include <algorithm>
 #include <functional>
 
-#include "studies/suggestion/neighbours.h"
+#include "studies/codes/neighbours.h"
 
 namespace somato {
 namespace {

@@ -1,4 +1,4 @@
-#include "studies/suggestion/frame_source.h"
+#include "studies/codes/frame_source.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "somato/graph/evaluation.h"
 #include "somato/graph/system.h"
-#include "studies/suggestion/rounding.h"
+#include "studies/codes/rounding.h"
 
 namespace somato {
 namespace {

@@ -1,4 +1,4 @@
-#include "studies/suggestion/frame_source.h"
+#include "studies/codes/frame_source.h"
 
 #include <gtest/gtest.h>
 

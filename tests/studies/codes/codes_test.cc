@@ -1,4 +1,4 @@
-#include "studies/suggestion/codes.h"
+#include "studies/codes/codes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "studies/suggestion/codes.h"
+#include "studies/codes/codes.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,12 +6,12 @@
 #include <limits>
 #include <utility>
 
-#include "studies/suggestion/rounding.h"
+#include "studies/codes/rounding.h"
 
 namespace somato {
 namespace {
 
-using Settings = std::vector<SystemBuilder::Setting>;
+using CodeSettings = std::vector<SystemBuilder::Setting>;
 
 constexpr std::int64_t kPoints = 10;
 constexpr std::int64_t kBins = 10;
@@ -27,12 +27,12 @@ Value text(const std::string& value) {
 }
 
 ModuleDescription module(const std::string& name, const std::string& type,
-                         const Settings& settings) {
+                         const CodeSettings& settings) {
   return SystemBuilder("").module(name, type, settings).description().modules.front();
 }
 
 Code single(const std::string& code, const std::string& type, const std::string& frames,
-            Settings settings = {}) {
+            CodeSettings settings = {}) {
   const std::string name = code + "_of_" + frames;
   settings.insert(settings.begin(), {"input", text(frames)});
   return {code, {module(name, type, settings)}, name, {}};

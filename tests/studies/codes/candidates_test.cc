@@ -1,4 +1,4 @@
-#include "studies/suggestion/candidates.h"
+#include "studies/codes/candidates.h"
 
 #include <gtest/gtest.h>
 

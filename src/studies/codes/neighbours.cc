@@ -1,4 +1,4 @@
-#include "studies/suggestion/neighbours.h"
+#include "studies/codes/neighbours.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "somato/core/matrix.h"
 #include "somato/maps/som_parameters.h"
-#include "studies/suggestion/views.h"
+#include "studies/codes/views.h"
 
 namespace somato {
 

@@ -1,4 +1,4 @@
-#include "studies/suggestion/rounding.h"
+#include "studies/codes/rounding.h"
 
 #include <gtest/gtest.h>
 

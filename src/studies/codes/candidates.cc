@@ -1,12 +1,12 @@
-#include "studies/suggestion/candidates.h"
+#include "studies/codes/candidates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "studies/suggestion/neighbours.h"
-#include "studies/suggestion/representation.h"
-#include "studies/suggestion/rounding.h"
+#include "studies/codes/neighbours.h"
+#include "studies/codes/representation.h"
+#include "studies/codes/rounding.h"
 
 namespace somato {
 namespace {

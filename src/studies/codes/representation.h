@@ -8,8 +8,8 @@
 #include "somato/core/matrix.h"
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
-#include "studies/suggestion/codes.h"
-#include "studies/suggestion/views.h"
+#include "studies/codes/codes.h"
+#include "studies/codes/views.h"
 
 namespace somato {
 

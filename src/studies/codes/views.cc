@@ -1,4 +1,4 @@
-#include "studies/suggestion/views.h"
+#include "studies/codes/views.h"
 
 #include <algorithm>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "somato/recording/recording.h"
-#include "studies/suggestion/frame_source.h"
+#include "studies/codes/frame_source.h"
 
 namespace somato {
 

@@ -10,8 +10,8 @@
 
 #include "somato/core/result.h"
 #include "somato/recording/recording.h"
-#include "studies/suggestion/codes.h"
-#include "studies/suggestion/mutual_prediction.h"
+#include "studies/codes/codes.h"
+#include "studies/codes/mutual_prediction.h"
 
 namespace somato {
 
