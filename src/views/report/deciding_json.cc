@@ -114,18 +114,13 @@ std::size_t size_of(const ContributionSource& source) {
                          std::multiplies<>());
 }
 
-std::vector<std::string> numbers_to(std::size_t size) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < size; ++i) names.push_back(std::to_string(i + 1));
-  return names;
-}
-
 // A channel as in the recording, so that its elements have their places on the skin.
 Json channel_of(const ContributionSource& source, std::size_t size, const Recording& recording) {
-  if (size > kMostListed) return channel_json(source.name, "", {}, source.shape);
   const auto channel = find_channel(recording.explorations.front(), source.name);
-  if (source.is_channel && channel) return channel_json(**channel);
-  return channel_json(source.name, "", numbers_to(size), source.shape);
+  Json json = source.is_channel && channel ? channel_json(**channel)
+                                           : channel_json(source.name, "", {}, source.shape);
+  if (size > kMostListed) json["elements"] = Json::array();
+  return json;
 }
 
 Json values_json(const ContributionSource& source, std::size_t number, std::size_t size,

@@ -180,8 +180,16 @@ TEST(DecidingJson, IsNullWithoutModelOrRecording) {
         report_of({file}, of_joints().sources(!with_model, with_model))["systems"][0];
     EXPECT_TRUE(system["deciding"].is_null());
   }
-  const MadeStudy one_class(testing::small_study("none"), grasps(1, 4, 1));
-  EXPECT_TRUE(deciding_of(one_class, one_class.file()).is_null());
+  ReportSources one_class = of_joints().sources();
+  one_class.model = [](const std::string&, const ModelFile&) -> Result<ReportModel> {
+    ReportModel model = of_joints().model();
+    model.model.answer->labels =
+        NeuronLabels({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+    return model;
+  };
+  const Json system = report_of({of_joints().file()}, one_class)["systems"][0];
+  EXPECT_FALSE(system["trained"].is_null());
+  EXPECT_TRUE(system["deciding"].is_null());
 }
 
 // A system through which contributions are traced to elements of a channel and to a module.
