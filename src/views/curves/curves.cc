@@ -10,7 +10,7 @@
 
 #include "somato/graph/module.h"
 #include "views/curves/curve_point.h"
-#include "views/report/part_settings.h"
+#include "views/curves/part_settings.h"
 
 namespace somato::detail {
 namespace {

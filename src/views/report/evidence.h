@@ -23,7 +23,7 @@ struct Evidence {
       explorations;                ///< The explorations of `recording` that are samples, in order.
   std::optional<System> built;     ///< Without a model, from `study`.
   std::optional<std::size_t> map;  ///< The module that answers, of system().
-  std::optional<Samples> inputs;   ///< Of the map, one for each sample; see read_inputs().
+  std::optional<Samples> inputs;   ///< Those of the map, one for each sample; see read_inputs().
   std::vector<std::string> missing;  ///< Sentences.
 
   /// The trained system, or one that has learned nothing, or nullptr.

@@ -46,7 +46,7 @@ TEST_F(ConfusedSamples, AreListedOnce) {
   add_run({"cone", "cone", "cube"});
   // Each ball is confused twice as a cube, the first one twice as a cone.
   EXPECT_EQ(in_words(confused_samples(evidence_, 8)), "0 cube 2/4; 1 cone 1/4; ");
-  // Of equals the first in alphabetical order.
+  // The first in alphabetical order.
   EXPECT_EQ(in_words({tests_of(evidence_, 0)}), "0 cone 2/4; ");
 }
 

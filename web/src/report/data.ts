@@ -236,8 +236,8 @@ export interface PackedPlanes {
 }
 
 /**
- * What separates two classes for single samples, of which the tests confused some and others are
- * almost as far from both classes.
+ * Contributions that separate two classes, for single samples: some that the tests confused, others
+ * that are almost as far from both classes.
  */
 export interface DecidingData {
   /** The label whose classes are compared. */
