@@ -161,6 +161,20 @@ TEST(DecidingJson, ThenHasTheSamplesBetweenTwoClasses) {
   }
 }
 
+// One of the two is not the class next to the answer.
+TEST(DecidingJson, ComparesTheClassesOfTheConfusion) {
+  for (const std::string predicted : {"object 1", "object 3"}) {
+    ReportFile file = with_confusions(of_joints());
+    for (ProtocolResults& protocol : file.results.parts[0].protocols) {
+      for (auto& run : protocol.runs) run.predictions[5] = predicted;
+    }
+    const Json first = deciding_of(of_joints(), file)["decisions"][0];
+    EXPECT_EQ(first["sample"], 5);
+    EXPECT_EQ((std::set<std::string>{first["nearest"], first["other"]}),
+              (std::set<std::string>{"object 2", predicted}));
+  }
+}
+
 // A class that the saved map does not have cannot be compared.
 TEST(DecidingJson, OfAnUnknownClassIsOfTheNearestTwo) {
   ReportFile file = with_confusions(of_joints());
