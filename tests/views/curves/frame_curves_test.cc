@@ -1,4 +1,4 @@
-#include "views/report/frame_curves.h"
+#include "views/curves/frame_curves.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "views/report/curves.h"
+#include "views/curves/curves.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "views/report/curves.h"
+#include "views/curves/curves.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "somato/graph/module.h"
-#include "views/report/curve_point.h"
-#include "views/report/part_settings.h"
+#include "views/curves/curve_point.h"
+#include "views/curves/part_settings.h"
 
 namespace somato::detail {
 namespace {

@@ -1,4 +1,4 @@
-#include "views/report/frame_curves.h"
+#include "views/curves/frame_curves.h"
 
 #include <algorithm>
 #include <map>
@@ -9,7 +9,7 @@
 
 #include "somato/studies/alteration.h"
 #include "somato/studies/study_parameters.h"
-#include "views/report/curve_point.h"
+#include "views/curves/curve_point.h"
 
 namespace somato::detail {
 namespace {

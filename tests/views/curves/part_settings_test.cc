@@ -1,4 +1,4 @@
-#include "views/report/part_settings.h"
+#include "views/curves/part_settings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "views/report/curve_point.h"
+#include "views/curves/curve_point.h"
 
 #include <gtest/gtest.h>
 
