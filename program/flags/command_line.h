@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "flags/key_section.h"
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 
@@ -66,6 +67,8 @@ struct Command {
   std::vector<ParameterInfo> parameters;  ///< Each is a flag: radius_start is --radius-start.
   std::function<Result<void>(const Arguments&)> run;
   std::vector<std::string> tables = {};  ///< The tables of the reference with the parameters.
+  /// The sections of the reference about the keys that the command, and others with it, read.
+  std::vector<KeySection> (*key_sections)() = nullptr;
 };
 
 /// The key of a flag in Arguments: that of "-o,--output" is "output".

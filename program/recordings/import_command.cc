@@ -340,6 +340,20 @@ std::vector<ParameterInfo> import_parameters() {
   return infos;
 }
 
+std::vector<KeySection> key_sections_of_imports() {
+  return {
+      {"Descriptions of CSV files",
+       "The import of CSV files as a recording ([your data](../your-data.md)): a table "
+       "`[import]`, and a table `[[channel]]` for each channel.",
+       {key_table<CsvTrials>("`[import]`"), key_table<CsvChannel>("`[[channel]]`")}},
+      {"Descriptions of bags",
+       "The import of bags of ROS 2 as a recording ([your robot](../your-robot.md)): a table "
+       "`[import]`, a table `[[channel]]` for each channel and a table `[[label]]` for each "
+       "label.",
+       {key_table<BagTrials>("`[import]` of bags"), key_table<BagChannel>("`[[channel]]` of bags"),
+        key_table<BagLabel>("`[[label]]` of bags")}}};
+}
+
 }  // namespace
 
 Command import_command() {
@@ -366,7 +380,8 @@ Command import_command() {
         "types"}},
       import_parameters(),
       run_import,
-      {"import"}};
+      {"import"},
+      key_sections_of_imports};
 }
 
 }  // namespace somato::program

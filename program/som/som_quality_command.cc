@@ -12,6 +12,8 @@
 #include "som/map_and_rows.h"
 #include "som/measures_flag.h"
 #include "som/processes.h"
+#include "somato/maps/clusters.h"
+#include "somato/maps/som_measures.h"
 
 namespace somato::program {
 namespace {
@@ -84,6 +86,14 @@ Result<void> quality(const Arguments& arguments) {
   return processes.leave(measure(arguments, processes.group()));
 }
 
+std::vector<KeySection> key_sections_of_measures() {
+  return {{"Measures and clusters of maps",
+           "Flags of `somato som quality` and `somato som cluster`; they are not keys of a file. "
+           "[measures.md](../mathematics/measures.md) gives the definitions; none of these numbers "
+           "is in the papers.",
+           {key_table<MeasureParameters>("measures"), key_table<ClusterParameters>("clusters")}}};
+}
+
 }  // namespace
 
 Command som_quality_command() {
@@ -98,7 +108,8 @@ Command som_quality_command() {
           std::move(flags),
           MeasureParameters::declarations().infos(),
           quality,
-          {"measures"}};
+          {"measures"},
+          key_sections_of_measures};
 }
 
 }  // namespace somato::program

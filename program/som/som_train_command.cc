@@ -21,6 +21,7 @@
 #include "som/processes.h"
 #include "somato/maps/layers.h"
 #include "somato/maps/refinement.h"
+#include "somato/maps/som_parameters.h"
 #include "somato/maps/som_training.h"
 #include "systems/model/complete_inputs.h"
 #include "terminal/terminal.h"
@@ -332,6 +333,17 @@ Result<void> train(const Arguments& arguments) {
   return processes.leave(train_with(arguments, processes.group()));
 }
 
+std::vector<KeySection> key_sections_of_maps() {
+  return {
+      {"Maps",
+       "Keys of a module of type `som`; those of other types are listed with [them](modules.md).",
+       {key_table<SomParameters>("map")}},
+      {"Refinement of maps by labels",
+       "Further keys of a module of type `som`, and flags of `somato som train`. "
+       "[refinement.md](../mathematics/refinement.md) gives the equations.",
+       {key_table<RefinementParameters>("refinement")}}};
+}
+
 }  // namespace
 
 Command som_train_command() {
@@ -361,7 +373,8 @@ Command som_train_command() {
       std::move(flags),
       std::move(parameters),
       train,
-      {"map", "refinement"}};
+      {"map", "refinement"},
+      key_sections_of_maps};
 }
 
 }  // namespace somato::program
