@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "flags/key_section.h"
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 
@@ -57,6 +57,25 @@ class Arguments {
   /// A whole number of at least `least`, or nothing when the flag is absent. Errors: kUsage.
   Result<std::optional<std::size_t>> number(const std::string& name, std::size_t least) const;
 };
+
+/// Keys of a table of a file, or of flags.
+struct KeyTable {
+  std::string title;  ///< Markdown, such as "`[study]`".
+  std::vector<ParameterInfo> keys;
+  std::string text = {};  ///< Markdown before the table, or nothing.
+};
+
+/// A section of the reference: tables of keys that a command reads.
+struct KeySection {
+  std::string title;
+  std::string text;  ///< Markdown.
+  std::vector<KeyTable> tables;
+};
+
+template <typename Parameters>
+KeyTable key_table(std::string title, std::string text = {}) {
+  return {std::move(title), Parameters::declarations().infos(), std::move(text)};
+}
 
 /// A command of the program.
 struct Command {
