@@ -294,18 +294,27 @@ Result<void> write_imported(const Arguments& arguments, Result<Imported> importe
 // A format that a description completes; data sets need none.
 struct DescribedFormat {
   const char* name;
+  bool has_patterns;  // It takes --files and --other-files.
   Result<void> (*run)(const Arguments& arguments);
 };
 
 constexpr DescribedFormat kDescribed[] = {
-    {"csv", [](const Arguments& a) { return write_imported(a, import_csv(a)); }},
-    {"mcap",
+    {"csv", false, [](const Arguments& a) { return write_imported(a, import_csv(a)); }},
+    {"mcap", true,
      [](const Arguments& a) { return write_imported(a, import_described(a, import_mcap_trials)); }},
-    {"bag", run_bag_import},
-    {"yarp", [](const Arguments& a) { return write_imported(a, import_yarp(a)); }},
-    {"wav",
+    {"bag", false, run_bag_import},
+    {"yarp", true, [](const Arguments& a) { return write_imported(a, import_yarp(a)); }},
+    {"wav", true,
      [](const Arguments& a) { return write_imported(a, import_described(a, import_wav_trials)); }},
 };
+
+std::vector<std::string> formats_with_patterns() {
+  std::vector<std::string> names;
+  for (const DescribedFormat& format : kDescribed) {
+    if (format.has_patterns) names.emplace_back(format.name);
+  }
+  return names;
+}
 
 std::vector<std::string> formats() {
   std::vector<std::string> names;
@@ -361,9 +370,8 @@ Command import_command() {
       "import",
       "Import a folder of recorded files as a recording",
       {{"FORMAT",
-        fmt::format(
-            "Format of the files: {}; mcap, wav and yarp take the flags --files and --other-files",
-            fmt::join(formats(), ", ")),
+        fmt::format("Format of the files: {}; {} take the flags --files and --other-files",
+                    fmt::join(formats(), ", "), fmt::join(formats_with_patterns(), ", ")),
         true, false, Role::kValue, formats},
        {"DIR", "Folder with the files, also in subfolders; for csv and bag also a single file",
         true}},
