@@ -8,7 +8,7 @@ from ._somato import __version__
 if TYPE_CHECKING:
     from ._maps.drawing import MapDrawing
     from ._maps.files import MapFiles
-    from ._maps.labels import Contributions, MapLabels
+    from ._maps.labels import MapLabels
     from .analysis import *
     from .codes import *
     from .drawing import *
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _NAMES_OF = {
     "_maps.drawing": ["MapDrawing"],
     "_maps.files": ["MapFiles"],
-    "_maps.labels": ["Contributions", "MapLabels"],
+    "_maps.labels": ["MapLabels"],
     "analysis": ["MapAnalysis", "MapClusters", "MapMeasures"],
     "codes": ["OneHot", "Spectrum", "TensorProduct"],
     "drawing": ["Drawing", "Page"],
