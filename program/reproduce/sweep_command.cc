@@ -15,6 +15,7 @@
 #include "reproduce/sweep_table.h"
 #include "som/data.h"
 #include "somato/studies/own_systems.h"
+#include "studies/sweep/sweep.h"
 #include "studies/sweep/sweep_picture.h"
 #include "studies/sweep/sweep_results.h"
 #include "terminal/wording.h"
@@ -109,6 +110,14 @@ Result<void> run_sweep(const Arguments& arguments) {
   return {};
 }
 
+std::vector<KeySection> key_sections_of_sweeps() {
+  return {{"Files of `somato sweep`",
+           "The file of `--over` ([sweeps](sweeps.md)); its other tables change the system, as a "
+           "variation does.",
+           {key_table<SweepParameters>("`[sweep]`"),
+            key_table<UnknownParameters>("`[unknown.NAME]`")}}};
+}
+
 }  // namespace
 
 Command sweep_command() {
@@ -124,7 +133,9 @@ Command sweep_command() {
                        {"sweep.json", "sweep.svg"}),
            threads_flag(), json_flag()},
           {},
-          run_sweep};
+          run_sweep,
+          {},
+          key_sections_of_sweeps};
 }
 
 }  // namespace somato::program

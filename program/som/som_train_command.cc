@@ -22,6 +22,7 @@
 #include "somato/maps/layers.h"
 #include "somato/maps/measured_size.h"
 #include "somato/maps/refinement.h"
+#include "somato/maps/som_parameters.h"
 #include "somato/maps/som_training.h"
 #include "systems/model/complete_inputs.h"
 #include "terminal/terminal.h"
@@ -370,6 +371,21 @@ Result<void> train(const Arguments& arguments) {
   return processes.leave(train_with(arguments, processes.group()));
 }
 
+std::vector<KeySection> key_sections_of_maps() {
+  return {
+      {"Maps",
+       "Keys of a module of type `som`; those of other types are listed with [them](modules.md).",
+       {key_table<SomParameters>("map")}},
+      {"Measured size of maps",
+       "A flag of `somato som train`; it is no key of a file, in which "
+       "[`suggest`](../suggest.md#size-and-length) writes the size that it measures.",
+       {key_table<SizeParameters>("size")}},
+      {"Refinement of maps by labels",
+       "Further keys of a module of type `som`, and flags of `somato som train`. "
+       "[refinement.md](../mathematics/refinement.md) gives the equations.",
+       {key_table<RefinementParameters>("refinement")}}};
+}
+
 }  // namespace
 
 Command som_train_command() {
@@ -402,7 +418,8 @@ Command som_train_command() {
       std::move(flags),
       std::move(parameters),
       train,
-      {"map", "size", "refinement"}};
+      {"map", "refinement"},
+      key_sections_of_maps};
 }
 
 }  // namespace somato::program

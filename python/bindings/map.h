@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "arrays.h"
+#include "interrupts.h"
 #include "nanobind/nanobind.h"
 #include "sample_rows.h"
 #include "somato/graph/som_model.h"
@@ -129,6 +131,11 @@ class Map {
   template <typename NumbersOf>
   nanobind::object numbers_of(const SampleRows& rows, NumbersOf numbers_of_part) const;
 
+  // Calls `work` with parts of the rows as inputs of the map, and the number of the part's first
+  // row.
+  void for_each_part(const SampleRows& rows, Interrupts& interrupts,
+                     const std::function<void(const Samples&, std::size_t first)>& work) const;
+
   // That which takes the rows.
   const SomModel& taking(const SampleRows& rows) const;
 
@@ -137,5 +144,9 @@ class Map {
   std::optional<SomModel> moved_;           // the same without offsets, if it has offsets
   mutable std::vector<double> deviations_;  // once they have been used
 };
+
+/// Throws Failure for parameters of a refinement with which a map of these parameters cannot be
+/// refined.
+void check_map_refinement(const nanobind::dict& refinement, const nanobind::dict& som);
 
 }  // namespace somato::python

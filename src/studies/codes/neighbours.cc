@@ -1,7 +1,6 @@
 #include "studies/codes/neighbours.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/core/threads.h"
@@ -21,32 +20,6 @@ std::vector<std::uint32_t> ordered_others(std::span<const float> distances, std:
   std::ranges::sort(others, {},
                     [&](std::uint32_t other) { return std::pair(distances[other], other); });
   return others;
-}
-
-// The Manhattan distance of stored values, whose positions ascend.
-double manhattan_of_sparse(const SignalView& a, const SignalView& b) {
-  double sum = 0.0;
-  std::size_t i = 0;
-  std::size_t k = 0;
-  while (i < a.indices.size() || k < b.indices.size()) {
-    const bool has_a =
-        k == b.indices.size() || (i < a.indices.size() && a.indices[i] <= b.indices[k]);
-    const bool has_b =
-        i == a.indices.size() || (k < b.indices.size() && b.indices[k] <= a.indices[i]);
-    const double of_a = has_a ? double{a.values[i++]} : 0.0;
-    const double of_b = has_b ? double{b.values[k++]} : 0.0;
-    sum += std::fabs(of_a - of_b);
-  }
-  return sum;
-}
-
-double manhattan_distance(const SignalView& a, const SignalView& b) {
-  if (a.sparse) return manhattan_of_sparse(a, b);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) {
-    sum += std::fabs(double{a.values[i]} - double{b.values[i]});
-  }
-  return sum;
 }
 
 using PairDistance = double (*)(const SignalView&, const SignalView&);

@@ -10,7 +10,7 @@ import pytest
 
 from pysomato import SOM, SOMClassifier
 
-_PAGE = Path(__file__).parents[2] / "docs" / "python.md"
+_PAGE = Path(__file__).parents[3] / "docs" / "python.md"
 
 # The public interface of MiniSom 2.3, and the arguments of its methods with a choice.
 _INTERFACE = """MiniSom sigma learning_rate random_seed topology neighborhood_function activation_distance
@@ -63,7 +63,7 @@ def test_the_table_names_the_whole_interface():
 
 def test_the_page_of_behaviours_names_tests_that_exist():
     page = (_PAGE.parent / "som-behaviours.md").read_text()
-    written = "".join(path.read_text() for path in Path(__file__).parent.glob("test_*.py"))
+    written = "".join(path.read_text() for path in Path(__file__).parents[1].rglob("test_*.py"))
     named = set(re.findall(r"`(test_\w+)`", page))
     assert [name for name in named if f"def {name}(" not in written] == []
     behaviours = Path(__file__).with_name("test_minisom_behaviours.py").read_text()

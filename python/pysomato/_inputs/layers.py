@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .errors import UsageError
+from ..errors import UsageError
 
 _DEFAULTS = ("euclidean", 1.0, None)  # distance, weight, scale
 

@@ -4,9 +4,9 @@ from importlib import import_module
 
 import numpy as np
 
-from . import _somato
-from ._readings import numbers_of, readings_of
-from .errors import DataError
+from .. import _somato
+from .._inputs.readings import numbers_of, readings_of
+from ..errors import DataError
 
 # Differences within an exploration below this share of a channel's deviation are those of a hand at
 # rest, and may be lost.

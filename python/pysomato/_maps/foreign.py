@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from . import _somato
-from ._readings import columns_of, is_frame
-from .errors import DataError, DataTypeError, UsageError
+from .. import _somato
+from .._inputs.readings import columns_of, is_frame
+from ..errors import DataError, DataTypeError, UsageError
 
 _WHERE = "SOM.from_weights(weights)"
 

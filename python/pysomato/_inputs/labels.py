@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from sklearn.utils import check_consistent_length, column_or_1d
 
-from ._readings import is_missing
-from .errors import DataError, DataTypeError, LabelWarning, errors_of_sklearn
+from .readings import is_missing
+from ..errors import DataError, DataTypeError, LabelWarning, errors_of_sklearn
 
 # What Python and its packages write for a missing value, in lower case.
 _TEXTS_OF_MISSING = {"", "nan", "<na>", "nat"}

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ._readings import columns_of, readings_of, selected
-from .errors import DataError, UsageError
+from .readings import columns_of, readings_of, selected
+from ..errors import DataError, UsageError
 
 _WHERE = "from_table"
 

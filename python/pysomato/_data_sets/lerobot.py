@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ._channels import channels_of, imported
-from .errors import DataError, OperatingSystemError
+from .channels import channels_of, imported
+from ..errors import DataError, OperatingSystemError
 
 # The columns that number frames and episodes, and the times.
 _COUNTERS = ("timestamp", "frame_index", "episode_index", "index", "task_index")

@@ -11,10 +11,10 @@ from scipy.sparse import issparse
 from sklearn.utils import check_array
 from sklearn.utils.validation import check_is_fitted, validate_data
 
-from . import _somato
-from ._numbers import one_of
-from ._readings import columns_of, is_frame, readings_of, selected
-from .errors import (ConversionWarning, DataError, NotFittedError, PrecisionWarning,
+from .. import _somato
+from .numbers import one_of
+from .readings import columns_of, is_frame, readings_of, selected
+from ..errors import (ConversionWarning, DataError, NotFittedError, PrecisionWarning,
                      errors_of_sklearn)
 
 # Bytes of converted rows from which on the conversion is reported: smaller ones cost next to nothing.

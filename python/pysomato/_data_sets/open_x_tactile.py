@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ._channels import are_pictures, channels_of, imported
-from .errors import DataError, OperatingSystemError
+from .channels import are_pictures, channels_of, imported
+from ..errors import DataError, OperatingSystemError
 
 _ENDS = "meta/episode_ends"
 _DESCRIPTIONS = (".zarray", "zarr.json")  # of an array, in versions 2 and 3 of zarr

@@ -5,8 +5,8 @@ import difflib
 import numpy as np
 from sklearn.utils import check_random_state
 
-from . import _somato
-from .errors import UsageError
+from .. import _somato
+from ..errors import UsageError
 
 # The default of random_state, with which the program trains as well.
 _DEFAULT_SEED = 1

@@ -8,7 +8,8 @@ from scipy import sparse
 from test_som_program import SETTINGS
 
 import pysomato
-from pysomato import SOM, ConversionWarning, OneHot, Recording, _rows
+from pysomato import SOM, ConversionWarning, OneHot, Recording
+from pysomato._inputs import rows as row_input
 
 
 @pytest.fixture
@@ -120,8 +121,8 @@ def test_sparse_rows_that_contradict_themselves_are_refused():
 @pytest.fixture
 def reports(monkeypatch):
     """Rows of any size are reported, as at the start of a process; returns the messages of work()."""
-    monkeypatch.setattr(_rows, "_WORTH_A_REPORT", 1)
-    monkeypatch.setattr(_rows, "_reported", set())
+    monkeypatch.setattr(row_input, "_WORTH_A_REPORT", 1)
+    monkeypatch.setattr(row_input, "_reported", set())
 
     def messages(work):
         with warnings.catch_warnings(record=True) as caught:

@@ -10,7 +10,7 @@ import types
 import numpy as np
 from scipy.sparse import issparse
 
-from .errors import DataError, DataTypeError
+from ..errors import DataError, DataTypeError
 
 # Methods that compute the rows of an object that does not hold them yet, those that return a table of
 # pandas first.

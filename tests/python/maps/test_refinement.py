@@ -14,29 +14,7 @@ from pysomato import SOM, DataError, Recording, SOMClassifier, SOMClusterer, Usa
 
 TWO_CLASSES = {"rows": 5, "columns": 5, "iterations": 1000}
 
-STUDY = """
-[study]
-name = "grasps"
-label = "object"
-protocols = ["k_folds"]
-seeds = 1
-
-[module.joints]
-type = "channel"
-channel = "joints"
-
-[module.closed]
-type = "last"
-input = "joints"
-
-[module.map]
-type = "som"
-input = "closed"
-rows = 4
-columns = 4
-iterations = 300
-"""
-
+SETTINGS = 'protocols = ["k_folds"]\nseeds = 1'
 
 @pytest.fixture
 def stripes():
@@ -276,11 +254,11 @@ def test_the_program_refuses(tmp_path, stripes, flags, message):
     assert not (tmp_path / "map").exists()
 
 
-def test_a_study_states_the_order_before_and_after(recording, tmp_path):
-    metrics = {}
+def test_a_study_states_the_order_before_and_after(recording, tmp_path, study_text):
+    text, metrics = study_text(SETTINGS), {}
     for refine in ("none", "glvq", "grlvq"):
         path = tmp_path / f"{refine}.toml"
-        path.write_text(STUDY if refine == "none" else STUDY + f'refine = "{refine}"\n')
+        path.write_text(text if refine == "none" else text + f'refine = "{refine}"\n')
         outcome = study(recording, path)
         protocol = outcome.results["parts"][0]["protocols"][0]
         metrics[refine] = {name: one["mean"] for name, one in protocol["metrics"].items()}
@@ -298,9 +276,9 @@ def test_a_study_states_the_order_before_and_after(recording, tmp_path):
     ('refine = "gvlq"\n', "glvq"),
     ('refin = "glvq"\n', "refine"),
 ])
-def test_a_study_refuses(recording, tmp_path, line, message):
+def test_a_study_refuses(recording, tmp_path, study_text, line, message):
     path = tmp_path / "study.toml"
-    path.write_text(STUDY + line)
+    path.write_text(study_text(SETTINGS) + line)
     with pytest.raises(UsageError, match=message):
         study(recording, path)
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from pysomato import SOM, ConversionWarning
-from pysomato._rows import rows_of
+from pysomato._inputs.rows import rows_of
 
 MEGABYTE = 2**20
 LONG = "SOMATO_LONG_TESTS" in os.environ
