@@ -22,6 +22,7 @@
 #include "somato/studies/information.h"
 #include "somato/studies/reproduction.h"
 #include "somato/studies/study_parameters.h"
+#include "studies/inference/targets.h"
 #include "studies/lifelong/touch_order.h"
 #include "studies/suggestion/suggestion.h"
 #include "studies/sweep/sweep.h"
@@ -117,6 +118,9 @@ void add_sweep(std::string& page) {
       "change the system, as a variation does.\n\n";
   add_table<SweepParameters>(page, "`[sweep]`");
   add_table<UnknownParameters>(page, "`[unknown.NAME]`");
+  page += "The file of `--targets` ([inference](inference.md)).\n\n";
+  add_table<InferenceParameters>(page, "`[inference]`");
+  add_table<Target>(page, "`[[target]]`");
 }
 
 void add_devices(std::string& page) {
