@@ -20,11 +20,11 @@ PartJson protocol_json(const ProtocolResults& protocol) {
     metrics.push_back({metric.name, metric.values, metric.of_each});
   }
   PartJson json = {{"protocol", protocol.protocol},
-                     {"group", protocol.group},
-                     {"label", protocol.label},
-                     {"samples", protocol.samples},
-                     {"metrics", metrics},
-                     {"chosen_neighbours", protocol.chosen_neighbours}};
+                   {"group", protocol.group},
+                   {"label", protocol.label},
+                   {"samples", protocol.samples},
+                   {"metrics", metrics},
+                   {"chosen_neighbours", protocol.chosen_neighbours}};
   if (protocol.fold_comparison) {
     json["fold_comparison"] = detail::fold_comparison_json(*protocol.fold_comparison);
   }

@@ -13,7 +13,7 @@
 namespace somato {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoStatistic = std::numeric_limits<double>::quiet_NaN();
 
 // One unknown, one statistic, each simulation a draw.
 Simulations line_of(const std::vector<double>& statistics) {
@@ -32,13 +32,13 @@ TEST(Acceptance, DividesDifferencesByTheirScales) {
   const Observation observed{{1.0, 10.0}, {1.0, 5.0}};
   EXPECT_DOUBLE_EQ(distance_of(std::vector<double>{4.0, 30.0}, observed),
                    std::sqrt((9.0 + 16.0) / 2.0));
-  EXPECT_EQ(distance_of(std::vector<double>{kNaN, 10.0}, observed),
+  EXPECT_EQ(distance_of(std::vector<double>{kNoStatistic, 10.0}, observed),
             std::numeric_limits<double>::infinity());
 }
 
 TEST(Acceptance, TakesTheNearestWithEpanechnikovWeights) {
-  const auto posterior =
-      accept_nearest(line_of({5, 1, 0, 4, 2, kNaN, 3, 9, 9, 9}), {{0.0}, {2.0}}, {0.3, false});
+  const auto posterior = accept_nearest(line_of({5, 1, 0, 4, 2, kNoStatistic, 3, 9, 9, 9}),
+                                        {{0.0}, {2.0}}, {0.3, false});
   ASSERT_TRUE(posterior);
   EXPECT_EQ(posterior->simulations, (std::vector<std::size_t>{1, 2, 4}));
   // Distances 0.5, 0, 1 of 1.5, that of the fourth one.
@@ -62,12 +62,12 @@ TEST(Acceptance, TakesAllAtTheSameDistance) {
 TEST(Acceptance, LeavesADrawOut) {
   const auto posterior = accept_nearest(line_of({0, 1, 2}), {{0.0}, {1.0}}, {0.1, false}, 0);
   EXPECT_EQ(posterior->simulations, (std::vector<std::size_t>{1}));
-  EXPECT_FALSE(accept_nearest(line_of({kNaN, 1}), {{0.0}, {1.0}}, {0.5, false}, 1));
+  EXPECT_FALSE(accept_nearest(line_of({kNoStatistic, 1}), {{0.0}, {1.0}}, {0.5, false}, 1));
   EXPECT_FALSE(accept_nearest(line_of({}), {{0.0}, {1.0}}, {0.5, false}));
 }
 
 TEST(Acceptance, FindsTheClosedFormOfANormalMean) {
-  const Simulations all = test::of_normal_mean(20000, 1, 7);
+  const Simulations all = test::of_normal_mean(8000, 1, 7);
   for (const double mean : {-1.5, 0.0, 2.0}) {
     const auto posterior = accept_nearest(all, {{mean}, {1.0}}, {0.05, true});
     const PlaceSummary found = summary_of(*posterior, 0);
@@ -77,20 +77,20 @@ TEST(Acceptance, FindsTheClosedFormOfANormalMean) {
     EXPECT_NEAR(found.deviation * 10, 0.5, 0.04) << mean;
     EXPECT_NEAR((found.high - found.low) * 10, 2 * 1.645 * 0.5, 0.15) << mean;
     const PlaceSummary other = summary_of(*posterior, 1);
-    EXPECT_NEAR(other.mean, 0.5, 0.04);
-    EXPECT_NEAR(other.deviation, std::sqrt(1.0 / 12), 0.03) << "nothing is learned about it";
+    EXPECT_NEAR(other.mean, 0.5, 0.06);
+    EXPECT_NEAR(other.deviation, std::sqrt(1.0 / 12), 0.04) << "nothing is learned about it";
   }
 }
 
 // With a wide acceptance only the adjustment recovers the deviation.
 TEST(Acceptance, AdjustmentCorrectsAWideAcceptance) {
-  const Simulations all = test::of_normal_mean(20000, 1, 8);
+  const Simulations all = test::of_normal_mean(4000, 1, 8);
   const double plain =
       summary_of(*accept_nearest(all, {{0.5}, {1.0}}, {0.3, false}), 0).deviation * 10;
   const double adjusted =
       summary_of(*accept_nearest(all, {{0.5}, {1.0}}, {0.3, true}), 0).deviation * 10;
   EXPECT_GT(plain, 0.7);
-  EXPECT_NEAR(adjusted, 0.5, 0.04);
+  EXPECT_NEAR(adjusted, 0.5, 0.06);
 }
 
 TEST(Acceptance, AdjustsOnlyContinuousUnknowns) {

@@ -12,21 +12,27 @@ namespace somato {
 namespace {
 
 TEST(Calibration, RanksAreUniformWhereTheModelIsRight) {
-  const Simulations all = test::of_normal_mean(1500, 2, 21);
-  const Calibration found = calibrate(all, {1.0}, {0.05, true}, 200, 5);
-  ASSERT_EQ(found.ranks.rows(), 200U);
+  const Simulations all = test::of_normal_mean(600, 2, 21);
+  const Calibration found = calibrate(all, {1.0}, {0.05, true}, 100, 5);
+  ASSERT_EQ(found.ranks.rows(), 100U);
   for (std::size_t unknown = 0; unknown < 2; ++unknown) {
     EXPECT_GT(found.uniform_p[unknown], 0.01) << unknown;
-    EXPECT_NEAR(found.covered[unknown], 0.9, 0.06) << unknown;
+    EXPECT_NEAR(found.covered[unknown], 0.9, 0.08) << unknown;
   }
 }
 
-// One line through all simulations does not describe a steep curve.
+// The statistic is exact for one half of the places and says only "the other half" otherwise:
+// residuals of a regression of all simulations are too large for the former and too small for the
+// latter.
 TEST(Calibration, FindsAnAdjustmentThatIsWrong) {
-  Simulations all = test::of_normal_mean(1000, 1, 22);
-  for (double& value : all.statistics.values()) value = value * value * value * value * value;
-  EXPECT_LT(calibrate(all, {1.0}, {1.0, true}, 1000, 5).uniform_p[0], 0.001);
-  EXPECT_GT(calibrate(all, {1.0}, {0.02, false}, 1000, 5).uniform_p[0], 0.001);
+  Simulations all = test::of_normal_mean(300, 1, 22);
+  Random random(1);
+  for (std::size_t i = 0; i < all.draw.size(); ++i) {
+    const double place = all.places(i, 0);
+    all.statistics(i, 0) = place < 0.5 ? place : 0.5 + 0.5 * random.uniform();
+  }
+  EXPECT_LT(calibrate(all, {1.0}, {1.0, true}, 300, 5).uniform_p[0], 0.001);
+  EXPECT_GT(calibrate(all, {1.0}, {0.05, false}, 300, 5).uniform_p[0], 0.001);
 }
 
 TEST(Calibration, UsesOneSimulationOfADrawAndNotTheOthersOfIt) {

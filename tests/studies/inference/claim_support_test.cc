@@ -67,7 +67,7 @@ TEST(ClaimSupport, IsExcludedOnlyByManyDraws) {
 }
 
 TEST(ClaimSupport, FindsClaimsThatExcludeEachOther) {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kUnjudgedClaim = std::numeric_limits<double>::quiet_NaN();
   MetClaims first;
   MetClaims second;
   MetClaims third;
@@ -76,7 +76,7 @@ TEST(ClaimSupport, FindsClaimsThatExcludeEachOther) {
     second.push_back(i >= 50 ? 1.0 : 0.0);
     third.push_back(i % 2 == 0 ? 1.0 : 0.0);
   }
-  first.push_back(kNaN);
+  first.push_back(kUnjudgedClaim);
   second.push_back(1.0);
   third.push_back(1.0);
   const auto conflicts = conflicts_of({first, second, third}, 5.0);
