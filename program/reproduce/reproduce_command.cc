@@ -22,8 +22,8 @@
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
 #include "somato/studies/study_parameters.h"
-#include "studies/reproduction/reproduction_run.h"
 #include "studies/results/saved_model.h"
+#include "studies/run/reproduction_run.h"
 #include "studies/run/winners_picture.h"
 #include "terminal/terminal.h"
 

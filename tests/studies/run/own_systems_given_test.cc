@@ -86,7 +86,7 @@ void add_section(const Table& section, PaperList& list) {
 }
 
 PaperList paper_list(const std::string& system) {
-  const auto file = read_toml(source_path("tests/studies/reproduction/given_by_papers.toml"));
+  const auto file = read_toml(source_path("tests/studies/run/given_by_papers.toml"));
   PaperList list;
   for (const Table::Entry& kind : file.value().entries) {
     for (const Table& table : std::get<std::vector<Table>>(kind.content)) {

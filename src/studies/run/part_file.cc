@@ -1,4 +1,4 @@
-#include "studies/reproduction/part_file.h"
+#include "studies/run/part_file.h"
 
 #include <limits>
 #include <utility>
@@ -10,21 +10,21 @@
 namespace somato {
 namespace {
 
-using SortedJson = nlohmann::json;
+using PartJson = nlohmann::json;
 
 constexpr int kPartVersion = 4;
 
-SortedJson protocol_json(const ProtocolResults& protocol) {
-  SortedJson metrics = SortedJson::array();
+PartJson protocol_json(const ProtocolResults& protocol) {
+  PartJson metrics = PartJson::array();
   for (const Metric& metric : protocol.metrics) {
     metrics.push_back({metric.name, metric.values, metric.of_each});
   }
-  SortedJson json = {{"protocol", protocol.protocol},
-                     {"group", protocol.group},
-                     {"label", protocol.label},
-                     {"samples", protocol.samples},
-                     {"metrics", metrics},
-                     {"chosen_neighbours", protocol.chosen_neighbours}};
+  PartJson json = {{"protocol", protocol.protocol},
+                   {"group", protocol.group},
+                   {"label", protocol.label},
+                   {"samples", protocol.samples},
+                   {"metrics", metrics},
+                   {"chosen_neighbours", protocol.chosen_neighbours}};
   if (protocol.fold_comparison) {
     json["fold_comparison"] = detail::fold_comparison_json(*protocol.fold_comparison);
   }
@@ -32,16 +32,16 @@ SortedJson protocol_json(const ProtocolResults& protocol) {
 }
 
 // JSON has no NaN and writes null.
-std::vector<double> kept_values(const SortedJson& list) {
+std::vector<double> kept_values(const PartJson& list) {
   std::vector<double> values;
-  for (const SortedJson& value : list) {
+  for (const PartJson& value : list) {
     values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
                                      : value.get<double>());
   }
   return values;
 }
 
-FoldComparison comparison_of(const SortedJson& kept) {
+FoldComparison comparison_of(const PartJson& kept) {
   FoldComparison comparison{kept.at("choice"), kept.at("other")};
   kept.at("largest_block").get_to(comparison.largest_block);
   kept.at("samples").get_to(comparison.samples);
@@ -52,7 +52,7 @@ FoldComparison comparison_of(const SortedJson& kept) {
   return comparison;
 }
 
-ProtocolResults protocol_of(const SortedJson& kept) {
+ProtocolResults protocol_of(const PartJson& kept) {
   ProtocolResults protocol;
   kept.at("protocol").get_to(protocol.protocol);
   kept.at("group").get_to(protocol.group);
@@ -62,7 +62,7 @@ ProtocolResults protocol_of(const SortedJson& kept) {
   if (kept.contains("fold_comparison")) {
     protocol.fold_comparison = comparison_of(kept.at("fold_comparison"));
   }
-  for (const SortedJson& metric : kept.at("metrics")) {
+  for (const PartJson& metric : kept.at("metrics")) {
     protocol.metrics.push_back({metric.at(0), kept_values(metric.at(1)), metric.at(2)});
   }
   return protocol;
@@ -71,11 +71,11 @@ ProtocolResults protocol_of(const SortedJson& kept) {
 }  // namespace
 
 std::string part_file(const PartResults& part) {
-  SortedJson recordings = SortedJson::array();
+  PartJson recordings = PartJson::array();
   for (const RecordingInfo& one : part.recordings) recordings.push_back(one.name);
-  SortedJson pairs = SortedJson::array();
+  PartJson pairs = PartJson::array();
   for (const Pair& pair : part.pairs) pairs.push_back({pair.recording, pair.seed});
-  SortedJson protocols = SortedJson::array();
+  PartJson protocols = PartJson::array();
   for (const ProtocolResults& protocol : part.protocols)
     protocols.push_back(protocol_json(protocol));
   return checked_line({{"somato_part", kPartVersion},
@@ -96,11 +96,11 @@ std::optional<PartResults> read_part_file(std::string_view content) {
   kept->at("question").get_to(part.question);
   kept->at("system").get_to(part.system);
   kept->at("variation").get_to(part.variation);
-  for (const SortedJson& name : kept->at("recordings")) {
+  for (const PartJson& name : kept->at("recordings")) {
     part.recordings.push_back({name, {}, 0, {}, 0});
   }
-  for (const SortedJson& pair : kept->at("pairs")) part.pairs.push_back({pair.at(0), pair.at(1)});
-  for (const SortedJson& protocol : kept->at("protocols")) {
+  for (const PartJson& pair : kept->at("pairs")) part.pairs.push_back({pair.at(0), pair.at(1)});
+  for (const PartJson& protocol : kept->at("protocols")) {
     part.protocols.push_back(protocol_of(protocol));
   }
   return part;

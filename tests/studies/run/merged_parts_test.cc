@@ -1,4 +1,4 @@
-#include "studies/reproduction/merged_parts.h"
+#include "studies/run/merged_parts.h"
 
 #include <gtest/gtest.h>
 

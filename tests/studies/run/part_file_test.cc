@@ -1,4 +1,4 @@
-#include "studies/reproduction/part_file.h"
+#include "studies/run/part_file.h"
 
 #include <gtest/gtest.h>
 

@@ -197,6 +197,18 @@ std::vector<Setting> values_of(const Table& table) {
   return settings;
 }
 
+// Of the tables within it, and within these.
+void add_inner_settings(const Table& table, const std::string& name, std::vector<Settings>& all) {
+  for (const Table::Entry& entry : table.entries) {
+    const auto* inner = std::get_if<Table>(&entry.content);
+    if (!inner) continue;
+    const std::string inner_name = name + "." + entry.name;
+    auto settings = values_of(*inner);
+    if (!settings.empty()) all.push_back({inner_name, std::move(settings)});
+    add_inner_settings(*inner, inner_name, all);
+  }
+}
+
 }  // namespace
 
 const Declarations<QuestionParameters>& QuestionParameters::declarations() {
@@ -232,14 +244,9 @@ Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& sy
 
 std::vector<Settings> explore_settings(const Table& explore) {
   std::vector<Settings> all;
-  Settings own{"explore", {}};
-  for (const Table::Entry& entry : explore.entries) {
-    if (const auto* table = std::get_if<Table>(&entry.content)) {
-      all.push_back({"explore." + entry.name, values_of(*table)});
-    }
-  }
-  own.settings = values_of(explore);
-  if (!own.settings.empty()) all.insert(all.begin(), std::move(own));
+  auto own = values_of(explore);
+  if (!own.empty()) all.push_back({"explore", std::move(own)});
+  add_inner_settings(explore, "explore", all);
   return all;
 }
 

@@ -264,6 +264,10 @@ TEST_F(Plan, ExplorationIsListedInTheSettings) {
   EXPECT_EQ(settings[1].settings[0].name, "placement_noise");
   EXPECT_EQ(settings[1].settings[0].value, "4.0");
   EXPECT_TRUE(explore_settings({}).empty());
+  const auto nested = parse_toml("[material.cork]\nstiffness = 8.0\n", "a.toml").value();
+  ASSERT_EQ(explore_settings(nested).size(), 1U);
+  EXPECT_EQ(explore_settings(nested)[0].part, "explore.material.cork");
+  EXPECT_EQ(explore_settings(nested)[0].settings[0].value, "8.0");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "studies/reproduction/reproduction_run.h"
+#include "studies/run/reproduction_run.h"
 
 #include <gtest/gtest.h>
 
