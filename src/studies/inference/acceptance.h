@@ -38,8 +38,8 @@ struct AcceptanceRule {
 /// A sample of the posterior distribution.
 struct Posterior {
   std::vector<std::size_t> simulations;  ///< Numbers of the accepted ones, ascending.
-  std::vector<double> weights;           ///< Of each, with the sum 1.
-  Matrix<double> places;  ///< Of each, adjusted if the rule requires it; from 0 to 1.
+  std::vector<double> weights;           ///< One for each, with the sum 1.
+  Matrix<double> places;  ///< One row for each, adjusted if the rule requires it; from 0 to 1.
 
   std::size_t size() const { return simulations.size(); }
 };

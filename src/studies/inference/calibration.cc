@@ -20,7 +20,7 @@ bool is_finite(std::span<const double> values) {
                      [](double value) { return std::isfinite(value); });
 }
 
-// Of each of `count` different draws, one simulation.
+// One simulation of each of `count` different draws.
 std::vector<std::size_t> selected_truths(const Simulations& all, std::size_t count,
                                          Random& random) {
   std::set<std::size_t> draws;

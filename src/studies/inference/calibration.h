@@ -9,7 +9,7 @@
 
 namespace somato {
 
-/// What an inference finds where the truth is known.
+/// The ranks of known truths in the posteriors that are inferred from them.
 struct Calibration {
   Matrix<double> ranks;  ///< One row for each truth, one column for each unknown: its rank in the
                          ///< posterior, 0 to 1.

@@ -34,17 +34,17 @@ inline constexpr std::size_t kDecidingDraws = 1000;
 /// Whether each simulation meets a claim: 1, 0, or NaN if it cannot be judged.
 using MetClaims = std::vector<double>;
 
-/// Of claim number `claim`, in the order of simulations_of().
+/// Those of claim number `claim`, in the order of simulations_of().
 MetClaims met_by_simulations(const SweepResults& results, std::size_t claim);
 
 /// The shares of maps that meet a claim.
 struct ClaimShares {
-  std::optional<double> prior;  ///< Of all simulations.
+  std::optional<double> prior;  ///< Share of all simulations.
   std::optional<double>
-      posterior;  ///< Of the accepted ones, weighted: on the seeds that selected them.
+      posterior;  ///< Weighted share of the accepted ones: on the seeds that selected them.
   /// The same where the targets with the measure of the claim had no part in the selection.
   std::optional<double> left_out;
-  std::optional<double> fresh;   ///< Of the posterior's settings with fresh seeds.
+  std::optional<double> fresh;   ///< Share with fresh seeds, at settings of the posterior.
   std::optional<double> chance;  ///< Mean share of wrong groupings that meet it.
   std::size_t draws = 0;         ///< Number of draws at which it could be judged.
 

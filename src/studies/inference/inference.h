@@ -17,7 +17,7 @@ namespace somato {
 struct InferredUnknown {
   PlaceSummary prior;
   PlaceSummary posterior;
-  std::vector<double> prior_shares;      ///< Of each of sweep_cells().
+  std::vector<double> prior_shares;      ///< One for each of sweep_cells().
   std::vector<double> posterior_shares;  ///< The same, weighted.
 
   /// The standard deviation of the posterior's places, as a share of that of the prior's; 1 if the
@@ -25,12 +25,12 @@ struct InferredUnknown {
   double shrinkage() const;
 };
 
-/// What the draws of a sweep and the observations give.
+/// The unknowns that the draws of a sweep and the observations give.
 struct Inference {
   Simulations simulations;
   Posterior posterior;
   std::vector<InferredUnknown> unknowns;
-  Matrix<double> correlations;  ///< Of the unknowns' places in the posterior.
+  Matrix<double> correlations;  ///< Those of the unknowns' places in the posterior.
   Calibration calibration;
   std::vector<double> predicted;  ///< For each target: the mean of the accepted simulations.
 };

@@ -16,7 +16,7 @@ struct InferenceResults {
   Targets targets;
   Inference inference;
   SweepResults fresh;  ///< At settings of the posterior; without points if they have not been run.
-  std::vector<ClaimShares> claims;  ///< Of each claim of the sweep.
+  std::vector<ClaimShares> claims;  ///< One for each claim of the sweep.
   std::vector<ClaimConflict> conflicts;
 };
 

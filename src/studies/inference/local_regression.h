@@ -28,8 +28,9 @@ class LocalRegression {
   std::vector<double> direction_of(std::size_t column);
 
   Matrix<double> predictors_;
-  std::vector<double> roots_;                    ///< Of the weights.
-  std::vector<std::vector<double>> directions_;  ///< Of the intercept, then of each predictor.
+  std::vector<double> roots_;  ///< Square roots of the weights.
+  std::vector<std::vector<double>>
+      directions_;           ///< Those of the intercept, then of each predictor.
   Matrix<double> triangle_;  ///< (i, j): the part of column j along direction i.
 };
 

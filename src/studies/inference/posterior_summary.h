@@ -31,10 +31,10 @@ double weighted_quantile(std::span<const double> values, std::span<const double>
 double weighted_rank(std::span<const double> values, std::span<const double> weights, double value,
                      double of_equal);
 
-/// Of column `unknown` of a posterior's places.
+/// The summary of column `unknown` of a posterior's places.
 PlaceSummary summary_of(const Posterior& posterior, std::size_t unknown);
 
-/// Of column `unknown` of all simulations, weighted equally.
+/// The summary of column `unknown` of all simulations, weighted equally.
 PlaceSummary prior_summary_of(const Simulations& simulations, std::size_t unknown);
 
 /// The correlations of the places of each pair of unknowns; 0 where one does not vary.

@@ -197,7 +197,7 @@ std::vector<Setting> values_of(const Table& table) {
   return settings;
 }
 
-// Of the tables within it, and within these.
+// Adds those of the tables within it, and within these.
 void add_inner_settings(const Table& table, const std::string& name, std::vector<Settings>& all) {
   for (const Table::Entry& entry : table.entries) {
     const auto* inner = std::get_if<Table>(&entry.content);
