@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 #include "base/core/rank_correlation.h"
@@ -67,13 +68,27 @@ std::vector<double> cut(const std::vector<AtOneAngle>& angles, std::size_t first
   return centred_ranks(places);
 }
 
+// The length of the longest subsequence that does not fall.
+std::size_t longest_rise(const std::vector<double>& sequence) {
+  std::vector<double> least_ends;  // of the rises of each length
+  for (const double value : sequence) {
+    const auto longer = std::upper_bound(least_ends.begin(), least_ends.end(), value);
+    if (longer == least_ends.end()) {
+      least_ends.push_back(value);
+    } else {
+      *longer = value;
+    }
+  }
+  return least_ends.size();
+}
+
 }  // namespace
 
 Ring::Ring(const std::vector<Position>& from_centre) {
-  const std::vector<AtOneAngle> angles = by_angle(from_centre);
-  cuts_.reserve(angles.size());
-  for (std::size_t first = 0; first < angles.size(); ++first) {
-    cuts_.push_back(cut(angles, first, from_centre.size()));
+  angles_ = by_angle(from_centre);
+  cuts_.reserve(angles_.size());
+  for (std::size_t first = 0; first < angles_.size(); ++first) {
+    cuts_.push_back(cut(angles_, first, from_centre.size()));
   }
 }
 
@@ -87,6 +102,33 @@ RingOrder Ring::best_order(const std::vector<double>& ranks) const {
     best.falling = std::max(best.falling, -correlation);
   }
   return best;
+}
+
+// In falling order at one angle, so that a rise cannot contain two different numbers there.
+std::size_t Ring::longest_run(const std::vector<double>& numbers) const {
+  std::vector<std::vector<double>> at_angles;
+  at_angles.reserve(angles_.size());
+  for (const AtOneAngle& angle : angles_) {
+    std::vector<double>& here = at_angles.emplace_back();
+    for (const std::size_t individual : angle) here.push_back(numbers[individual]);
+    std::sort(here.begin(), here.end(), std::greater<>());
+  }
+  std::size_t longest = 0;
+  for (std::size_t first = 0; first < at_angles.size(); ++first) {
+    std::vector<double> sequence;
+    for (std::size_t step = 0; step < at_angles.size(); ++step) {
+      const std::vector<double>& here = at_angles[(first + step) % at_angles.size()];
+      sequence.insert(sequence.end(), here.begin(), here.end());
+    }
+    longest = std::max(longest, longest_rise(sequence));
+  }
+  return longest;
+}
+
+RingExceptions Ring::least_exceptions(const std::vector<double>& numbers) const {
+  std::vector<double> falling = numbers;
+  for (double& number : falling) number = -number;
+  return {numbers.size() - longest_run(numbers), numbers.size() - longest_run(falling)};
 }
 
 }  // namespace somato

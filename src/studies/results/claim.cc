@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "base/core/contains.h"
 #include "somato/studies/results.h"
 #include "somato/studies/study_parameters.h"
+#include "studies/results/claim_range.h"
 #include "studies/results/metric_table.h"
 
 namespace somato {
@@ -48,6 +50,77 @@ std::size_t pairs_with_a_value(const std::vector<double>& values) {
                                                 [](double value) { return std::isfinite(value); }));
 }
 
+std::size_t recordings_in(const std::vector<std::size_t>& recordings) {
+  return std::set<std::size_t>(recordings.begin(), recordings.end()).size();
+}
+
+std::string too_few(std::size_t count, const std::string& things, std::size_t needed) {
+  return fmt::format("{} {}{}; {} are needed", count, things, count == 1 ? "" : "s", needed);
+}
+
+bool has_judged_bound(const Claim& claim) {
+  return claim.judged_at_least || claim.judged_at_most;
+}
+
+// Keys that would have no effect, or that lack another one.
+Result<void> check_second_measure(const Claim& claim) {
+  const auto refuse = [&](const std::string& what, const std::string& advice) -> Result<void> {
+    return fail(ErrorKind::kUsage, what, claim.where, advice);
+  };
+  if (!claim.judged_metric.empty()) {
+    SOMATO_TRY_VOID(check_metric_name(claim.judged_metric, claim.where));
+    if (!has_judged_bound(claim)) {
+      return refuse("'judged_metric' has no bound", "add judged_at_least or judged_at_most");
+    }
+  }
+  if (claim.judged_by != ClaimCriterion::kCentralRange) return {};
+  if (!claim.published || !std::isfinite(*claim.published)) {
+    return refuse("a central range needs a published value", "add published = ...");
+  }
+  if (claim.compares() || has_judged_bound(claim)) {
+    return refuse("a central range is of one metric, without other bounds",
+                  "use judged_by = \"mean\" for a comparison, and remove the bounds");
+  }
+  return {};
+}
+
+ClaimVerdict verdict_by_share(const ClaimOutcome& outcome) {
+  if (!reaches(outcome.share(), kHoldsFrom)) {
+    return reaches(outcome.share(), kMostlyFrom) ? ClaimVerdict::kMostly : ClaimVerdict::kFails;
+  }
+  const bool chance = outcome.chance_share && reaches(*outcome.chance_share, kChanceFrom);
+  return chance ? ClaimVerdict::kHoldsByChanceToo : ClaimVerdict::kHolds;
+}
+
+ClaimVerdict verdict_by_range(const ClaimOutcome& outcome) {
+  const ClaimRange range = outcome.range().value();
+  if (!range.contains(outcome.claim.published.value())) return ClaimVerdict::kFails;
+  const bool narrower = range.width() < outcome.chance_range.value().width() - kClaimRounding;
+  return narrower ? ClaimVerdict::kCompatible : ClaimVerdict::kCompatibleByChanceToo;
+}
+
+// A bound itself is no difference: an interval that only consists of it decides nothing.
+ClaimVerdict verdict_by_mean(const ClaimOutcome& outcome) {
+  const Claim& claim = outcome.claim;
+  const ClaimRange range = outcome.range().value();
+  const auto above = [](double a, double b) { return a > b + kClaimRounding; };
+  if ((claim.at_least && above(*claim.at_least, range.high)) ||
+      (claim.at_most && above(range.low, *claim.at_most))) {
+    return ClaimVerdict::kFails;
+  }
+  const bool holds = (!claim.at_least || above(range.low, *claim.at_least)) &&
+                     (!claim.at_most || above(*claim.at_most, range.high));
+  return holds ? ClaimVerdict::kHolds : ClaimVerdict::kUndetermined;
+}
+
+std::string bounds_of_mean(const Claim& claim) {
+  if (claim.at_least && claim.at_most) {
+    return fmt::format("between {:g} and {:g}", *claim.at_least, *claim.at_most);
+  }
+  return claim.at_least ? fmt::format("above {:g}", *claim.at_least)
+                        : fmt::format("below {:g}", claim.at_most.value_or(0.0));
+}
+
 Result<Claim> read_claim(const Table& table) {
   auto claim = read_parameters<Claim>(table);
   if (!claim) return claim;
@@ -63,6 +136,7 @@ Result<Claim> read_claim(const Table& table) {
   if (!claim->at_least && !claim->at_most) {
     return refuse("the claim has no bound", "add at_least = ... or at_most = ...");
   }
+  SOMATO_TRY_VOID(check_second_measure(*claim));
   return claim;
 }
 
@@ -72,10 +146,45 @@ const std::vector<std::pair<ClaimVerdict, std::string>>& Choices<ClaimVerdict>::
   static const std::vector<std::pair<ClaimVerdict, std::string>> names{
       {ClaimVerdict::kHolds, "holds"},
       {ClaimVerdict::kHoldsByChanceToo, "holds, but so does chance"},
+      {ClaimVerdict::kCompatible, "compatible"},
+      {ClaimVerdict::kCompatibleByChanceToo, "compatible, but no narrower than chance"},
       {ClaimVerdict::kMostly, "mostly"},
+      {ClaimVerdict::kUndetermined, "not determined"},
       {ClaimVerdict::kFails, "fails"},
       {ClaimVerdict::kUndecided, "cannot be decided here"}};
   return names;
+}
+
+const std::vector<std::pair<ClaimCriterion, std::string>>& Choices<ClaimCriterion>::all() {
+  static const std::vector<std::pair<ClaimCriterion, std::string>> names{
+      {ClaimCriterion::kShareOfPairs, "share_of_pairs"},
+      {ClaimCriterion::kCentralRange, "central_range"},
+      {ClaimCriterion::kMean, "mean"}};
+  return names;
+}
+
+bool ClaimRange::contains(double value) const {
+  return value >= low - kClaimRounding && value <= high + kClaimRounding;
+}
+
+std::optional<Claim> Claim::as_written() const {
+  const bool by_share = judged_by == ClaimCriterion::kShareOfPairs;
+  if (by_share && judged_metric.empty() && !has_judged_bound(*this)) return {};
+  Claim second = *this;
+  second.criterion = judged_by;
+  second.judged_by = ClaimCriterion::kShareOfPairs;
+  if (!judged_metric.empty()) {
+    second.metric = judged_metric;
+    second.published.reset();
+  }
+  if (has_judged_bound(*this)) {
+    second.at_least = judged_at_least;
+    second.at_most = judged_at_most;
+  }
+  second.judged_metric.clear();
+  second.judged_at_least.reset();
+  second.judged_at_most.reset();
+  return second;
 }
 
 bool Claim::is_met_by(double value) const {
@@ -84,6 +193,10 @@ bool Claim::is_met_by(double value) const {
 }
 
 std::string Claim::bounds() const {
+  if (criterion == ClaimCriterion::kCentralRange) {
+    return fmt::format("range with {:g}", published.value_or(0.0));
+  }
+  if (criterion == ClaimCriterion::kMean) return bounds_of_mean(*this);
   if (at_least && at_most) return fmt::format("between {:g} and {:g}", *at_least, *at_most);
   return at_least ? fmt::format("at least {:g}", *at_least)
                   : fmt::format("at most {:g}", at_most.value_or(0.0));
@@ -130,7 +243,20 @@ const Declarations<Claim>& Claim::declarations() {
           .add("at_least", &P::at_least, "", Range::any(),
                "Lower bound: the claim holds if the metric, or the difference, is at least this.")
           .add("at_most", &P::at_most, "", Range::any(),
-               "Upper bound: the claim holds if the metric, or the difference, is at most this.");
+               "Upper bound: the claim holds if the metric, or the difference, is at most this.")
+          .add("judged_by", &P::judged_by, "", Range::any(),
+               "A second measure of the claim, which is listed beside the share of pairs: whether "
+               "the published count lies in the central 90 % of the pairs' values, or whether the "
+               "interval of the mean over the recordings lies within the bounds.")
+          .add("judged_metric", &P::judged_metric, "", Range::any(),
+               "Metric of the second measure; empty: the same one.")
+          .add("judged_at_least", &P::judged_at_least, "", Range::any(),
+               "Lower bound of the second measure. If neither of its bounds is given, they are "
+               "those of the claim.")
+          .add("judged_at_most", &P::judged_at_most, "", Range::any(),
+               "Upper bound of the second measure.")
+          .add("contradicted_by", &P::contradicted_by, "", Range::any(),
+               "Figure of the paper that contradicts the claim, with what it shows; empty: none.");
   return declared;
 }
 
@@ -157,20 +283,40 @@ double ClaimOutcome::share() const {
   return static_cast<double>(holding) / static_cast<double>(values.size());
 }
 
+std::optional<ClaimRange> ClaimOutcome::range() const {
+  return claim.criterion == ClaimCriterion::kMean ? interval_of_mean(values, recordings)
+                                                  : central_range(values);
+}
+
 std::string ClaimOutcome::reason() const {
   if (!undecidable.empty()) return undecidable;
   const std::size_t pairs = pairs_with_a_value(values);
-  if (pairs >= kLeastPairs) return {};
-  return fmt::format("{} pair{}; {} are needed", pairs, pairs == 1 ? "" : "s", kLeastPairs);
+  if (pairs < kLeastPairs) return too_few(pairs, "pair", kLeastPairs);
+  if (claim.criterion == ClaimCriterion::kShareOfPairs) return {};
+  if (pairs < values.size()) {  // the others would be a selection
+    return fmt::format("{} of {} pairs have no value", values.size() - pairs, values.size());
+  }
+  if (claim.criterion == ClaimCriterion::kCentralRange) {
+    if (!claim.published) return "no published value";
+    return chance_range ? std::string() : "no values by chance";
+  }
+  if (recordings.size() != values.size()) return "the recordings of the pairs are unknown";
+  const std::size_t explored = recordings_in(recordings);
+  return explored < kLeastRecordings ? too_few(explored, "recording", kLeastRecordings)
+                                     : std::string();
 }
 
 ClaimVerdict ClaimOutcome::verdict() const {
   if (!reason().empty()) return ClaimVerdict::kUndecided;
-  if (!reaches(share(), kHoldsFrom)) {
-    return reaches(share(), kMostlyFrom) ? ClaimVerdict::kMostly : ClaimVerdict::kFails;
+  switch (claim.criterion) {
+    case ClaimCriterion::kCentralRange:
+      return verdict_by_range(*this);
+    case ClaimCriterion::kMean:
+      return verdict_by_mean(*this);
+    case ClaimCriterion::kShareOfPairs:
+      break;
   }
-  const bool chance = chance_share && reaches(*chance_share, kChanceFrom);
-  return chance ? ClaimVerdict::kHoldsByChanceToo : ClaimVerdict::kHolds;
+  return verdict_by_share(*this);
 }
 
 bool reaches(double share, double limit) {
@@ -196,6 +342,17 @@ std::optional<double> chance_share_of(const Claim& claim, const Metric& by_chanc
   double sum = 0.0;
   for (const Distribution& of_pair : by_chance.of_each) sum += share_meeting(claim, of_pair);
   return sum / static_cast<double>(by_chance.of_each.size());
+}
+
+std::optional<ClaimRange> chance_range_of(const Metric& by_chance) {
+  Distribution all;
+  for (const Distribution& of_pair : by_chance.of_each) {
+    for (const auto& [value, times] : of_pair) {
+      if (!std::isfinite(value)) return {};
+      all[value] += times;
+    }
+  }
+  return central_range(all);
 }
 
 }  // namespace somato
