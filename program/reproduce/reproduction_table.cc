@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,21 +52,10 @@ std::string limit_line(const ClaimOutcome& outcome) {
                      *outcome.limit);
 }
 
-std::string range_text(const std::string& words, const std::optional<ClaimRange>& range) {
-  return range ? fmt::format(", {} {:.2f} to {:.2f}", words, range->low, range->high)
-               : std::string();
-}
-
 // The second measure of a claim.
 std::string as_written_lines(const ClaimOutcome& outcome) {
-  const Claim& claim = outcome.claim;
-  const bool of_mean = claim.criterion == ClaimCriterion::kMean;
-  const Metric values{claim.metric, outcome.values};
-  std::string text =
-      fmt::format("{:4}as written: {} ({} {}): mean {:.3f}{}{}, {:.0f} % of the pairs\n", "",
-                  choice_name(outcome.verdict()), claim.measured(), claim.bounds(), values.mean(),
-                  range_text(of_mean ? "interval of the mean" : "central 90 %", outcome.range()),
-                  range_text("by chance", outcome.chance_range), 100.0 * outcome.share());
+  std::string text = fmt::format("{:4}as written: {} ({})\n", "", choice_name(outcome.verdict()),
+                                 outcome.summary());
   if (!outcome.reason().empty()) text += fmt::format("{:6}{}\n", "", outcome.reason());
   if (outcome.limit) text += "  " + limit_line(outcome);
   return text;

@@ -161,6 +161,8 @@ struct ClaimOutcome {
   ClaimVerdict verdict() const;
   /// The reason why it cannot be decided here, or empty.
   std::string reason() const;
+  /// The measured quantity, the bounds, the mean, the ranges and the share, as text.
+  std::string summary() const;
 };
 
 /// The reason why the explorations of `system` do not permit a decision on a claim, or empty: its

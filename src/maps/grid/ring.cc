@@ -113,7 +113,7 @@ std::size_t Ring::longest_run(const std::vector<double>& numbers) const {
     for (const std::size_t individual : angle) here.push_back(numbers[individual]);
     std::sort(here.begin(), here.end(), std::greater<>());
   }
-  std::size_t longest = 0;
+  std::size_t longest = numbers.empty() ? 0 : 1;  // One individual is in order anywhere.
   for (std::size_t first = 0; first < at_angles.size(); ++first) {
     std::vector<double> sequence;
     for (std::size_t step = 0; step < at_angles.size(); ++step) {

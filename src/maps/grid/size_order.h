@@ -41,8 +41,8 @@ struct CircularOrder {
   /// information.
   double within = 0.0;
   /// The number of individuals to take away until the others are in order around the map: P11's
-  /// "exception". An individual at the mean of all positions is an exception, and of several at one
-  /// angle only those with equal numbers are in order.
+  /// "exception". An individual at the mean of all positions is an exception (one on its own is
+  /// not), and of several at one angle only those with equal numbers are in order.
   std::size_t exceptions_around = 0;
   /// The same within each group, the sum over the groups with at least three different numbers; one
   /// direction for all groups, with separate starting points.

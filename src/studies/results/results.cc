@@ -110,7 +110,7 @@ Json range_json(const std::optional<ClaimRange>& range) {
   return range ? Json{range->low, range->high} : Json(nullptr);
 }
 
-// What was measured, and the verdict on it.
+// The measured values, and the verdict on them.
 Json measured_json(const ClaimOutcome& outcome) {
   const Metric values{outcome.claim.metric, outcome.values};
   Json json = {{"verdict", choice_name(outcome.verdict())},

@@ -285,7 +285,7 @@ Claim claim_of(const CheckedJson& json) {
   return claim;
 }
 
-// What was measured of a claim. The verdict follows from the rest, and is refused where it does
+// The measured values of a claim. The verdict follows from the rest, and is refused where it does
 // not.
 void read_measured(const CheckedJson& json, ClaimOutcome& outcome) {
   outcome.undecidable = json.at("reason").text();
