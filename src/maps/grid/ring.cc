@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <utility>
 
 #include "base/core/rank_correlation.h"
@@ -68,9 +69,9 @@ std::vector<double> cut(const std::vector<AtOneAngle>& angles, std::size_t first
   return centred_ranks(places);
 }
 
-// The length of the longest subsequence that does not fall.
-std::size_t longest_rise(const std::vector<double>& sequence) {
-  std::vector<double> least_ends;  // of the rises of each length
+// The length of the longest subsequence that does not fall. `least_ends` is memory for reuse.
+std::size_t longest_rise(std::span<const double> sequence, std::vector<double>& least_ends) {
+  least_ends.clear();  // of the rises of each length
   for (const double value : sequence) {
     const auto longer = std::upper_bound(least_ends.begin(), least_ends.end(), value);
     if (longer == least_ends.end()) {
@@ -80,6 +81,20 @@ std::size_t longest_rise(const std::vector<double>& sequence) {
     }
   }
   return least_ends.size();
+}
+
+// The numbers by angle, in falling order at one angle, so that a rise cannot contain two different
+// numbers there.
+std::vector<double> numbers_around(const std::vector<AtOneAngle>& angles,
+                                   const std::vector<double>& numbers) {
+  std::vector<double> around;
+  around.reserve(2 * numbers.size());
+  for (const AtOneAngle& angle : angles) {
+    for (const std::size_t individual : angle) around.push_back(numbers[individual]);
+    std::sort(around.end() - static_cast<std::ptrdiff_t>(angle.size()), around.end(),
+              std::greater<>());
+  }
+  return around;
 }
 
 }  // namespace
@@ -104,23 +119,16 @@ RingOrder Ring::best_order(const std::vector<double>& ranks) const {
   return best;
 }
 
-// In falling order at one angle, so that a rise cannot contain two different numbers there.
 std::size_t Ring::longest_run(const std::vector<double>& numbers) const {
-  std::vector<std::vector<double>> at_angles;
-  at_angles.reserve(angles_.size());
-  for (const AtOneAngle& angle : angles_) {
-    std::vector<double>& here = at_angles.emplace_back();
-    for (const std::size_t individual : angle) here.push_back(numbers[individual]);
-    std::sort(here.begin(), here.end(), std::greater<>());
-  }
+  std::vector<double> twice = numbers_around(angles_, numbers);
+  const std::size_t count = twice.size();
+  for (std::size_t i = 0; i < count; ++i) twice.push_back(twice[i]);
+  std::vector<double> memory;
   std::size_t longest = numbers.empty() ? 0 : 1;  // One individual is in order anywhere.
-  for (std::size_t first = 0; first < at_angles.size(); ++first) {
-    std::vector<double> sequence;
-    for (std::size_t step = 0; step < at_angles.size(); ++step) {
-      const std::vector<double>& here = at_angles[(first + step) % at_angles.size()];
-      sequence.insert(sequence.end(), here.begin(), here.end());
-    }
-    longest = std::max(longest, longest_rise(sequence));
+  std::size_t start = 0;
+  for (const AtOneAngle& angle : angles_) {
+    longest = std::max(longest, longest_rise(std::span(twice).subspan(start, count), memory));
+    start += angle.size();
   }
   return longest;
 }

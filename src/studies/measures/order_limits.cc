@@ -13,7 +13,7 @@ namespace {
 
 using Ranks = std::vector<double>;
 
-constexpr std::size_t kMostGroups = 6;  // 720 orders of the groups
+constexpr std::size_t kMostGroups = 5;  // 120 orders of the groups
 
 // Ascending ranks of the numbers of each group.
 using RanksOfGroups = std::vector<Ranks>;

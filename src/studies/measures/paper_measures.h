@@ -40,7 +40,7 @@ struct OrderLimits {
   std::size_t exceptions_around = 0;  ///< The least.
 };
 
-/// Over all arrangements, exactly. Nothing for more than six groups, whose arrangements are too
+/// Over all arrangements, exactly. Nothing for more than five groups, whose arrangements are too
 /// many, and for individuals that all have the same number. Throws InvalidArgument without
 /// individuals, with a number that is not finite, or if the sizes differ.
 std::optional<OrderLimits> order_limits(const std::vector<double>& numbers,

@@ -83,7 +83,7 @@ TEST(OrderLimits, ExcludeABoundOfTheObjectsOfHand3) {
 
 TEST(OrderLimits, AreTheBestOfAllArrangements) {
   Random random(3, Stream::kSizeOrder);
-  for (int problem = 0; problem < 40; ++problem) {
+  for (int problem = 0; problem < 25; ++problem) {
     const std::size_t count = 3 + random.below(4);
     const std::size_t kinds = 1 + random.below(3);
     Numbers numbers;
@@ -104,8 +104,8 @@ TEST(OrderLimits, AreTheBestOfAllArrangements) {
 TEST(OrderLimits, AreNoneOfEqualNumbersAndOfManyGroups) {
   EXPECT_FALSE(order_limits({3}, {0}));
   EXPECT_FALSE(order_limits({3, 3, 3}, {0, 1, 0}));
-  EXPECT_FALSE(order_limits({1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6}));
-  EXPECT_TRUE(order_limits({1, 2, 3, 4, 5, 6}, {0, 1, 2, 3, 4, 5}));
+  EXPECT_FALSE(order_limits({1, 2, 3, 4, 5, 6}, {0, 1, 2, 3, 4, 5}));
+  EXPECT_TRUE(order_limits({1, 2, 3, 4, 5}, {0, 1, 2, 3, 4}));
 }
 
 TEST(OrderLimits, RefuseWhatHasNoOrder) {
