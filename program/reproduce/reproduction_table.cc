@@ -101,15 +101,15 @@ const ClaimOutcome& as_written(const ClaimOutcome& outcome) {
 using Measure = std::function<const ClaimOutcome&(const ClaimOutcome&)>;
 
 // The number of claims of papers with each verdict.
-std::string verdicts_text(const std::string& title, const std::vector<ClaimOutcome>& claims,
-                          const Measure& measure) {
+std::string verdicts_text(const std::string& title, std::size_t width,
+                          const std::vector<ClaimOutcome>& claims, const Measure& measure) {
   std::string text;
   for (const auto& [verdict, name] : Choices<ClaimVerdict>::all()) {
     const auto count =
         std::count_if(claims.begin(), claims.end(), [&](const ClaimOutcome& outcome) {
           return outcome.claim.is_of_paper() && measure(outcome).verdict() == verdict;
         });
-    if (count > 0) text += fmt::format("  {:<39} {:>4}\n", name, count);
+    if (count > 0) text += fmt::format("  {:<{}} {:>4}\n", name, width, count);
   }
   return text.empty() ? text : fmt::format("\n{}\n{}", title, text);
 }
@@ -117,11 +117,11 @@ std::string verdicts_text(const std::string& title, const std::vector<ClaimOutco
 // For both measures; for the second one only if a claim has it.
 std::string verdicts_text(const std::vector<ClaimOutcome>& claims) {
   const auto first = [](const ClaimOutcome& outcome) -> const ClaimOutcome& { return outcome; };
-  std::string text = verdicts_text("Verdicts on the claims of papers", claims, first);
+  std::string text = verdicts_text("Verdicts on the claims of papers", 25, claims, first);
   const bool has_second = std::any_of(claims.begin(), claims.end(), [](const auto& outcome) {
     return outcome.claim.is_of_paper() && !outcome.as_written.empty();
   });
-  if (has_second) text += verdicts_text("The same as written in the texts", claims, as_written);
+  if (has_second) text += verdicts_text("The same as written in the texts", 39, claims, as_written);
   return text;
 }
 
