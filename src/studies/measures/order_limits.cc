@@ -65,16 +65,11 @@ std::size_t between(const Ranks& sorted, double low, double high) {
                                   std::lower_bound(sorted.begin(), sorted.end(), low));
 }
 
-std::size_t above(const Ranks& sorted, double number) {
-  return static_cast<std::size_t>(sorted.end() -
-                                  std::upper_bound(sorted.begin(), sorted.end(), number));
-}
-
 // The most individuals in order if those of the divided area up to `first` are before the others:
 // for each number, the most up to an area whose greatest kept number it is.
 std::size_t most_in_order(const RanksOfGroups& areas, const Ranks& numbers, double first) {
   const Ranks& divided = areas.front();
-  std::map<double, std::size_t> most{{first, divided.size() - above(divided, first)}};
+  std::map<double, std::size_t> most{{first, between(divided, numbers.front(), first)}};
   for (std::size_t area = 1; area < areas.size(); ++area) {
     std::map<double, std::size_t> next = most;
     for (const auto& [reached, count] : most) {
@@ -88,9 +83,8 @@ std::size_t most_in_order(const RanksOfGroups& areas, const Ranks& numbers, doub
   }
   std::size_t greatest = 0;
   for (const auto& [reached, count] : most) {
-    const std::size_t after = reached > first
-                                  ? above(divided, reached) + between(divided, reached, reached)
-                                  : above(divided, first);
+    // Without others in between, a greater `first` counts the rest.
+    const std::size_t after = reached > first ? between(divided, reached, numbers.back()) : 0;
     greatest = std::max(greatest, count + after);
   }
   return greatest;

@@ -13,23 +13,23 @@
 namespace somato {
 namespace {
 
-using Numbers = std::vector<double>;
-using Groups = std::vector<std::size_t>;
+using LimitNumbers = std::vector<double>;
+using LimitGroups = std::vector<std::size_t>;
 
 // Whether each group is in one piece of the ring: as many changes as groups, or none.
-bool is_in_pieces(const std::vector<std::size_t>& ring, const Groups& groups) {
+bool is_in_pieces(const std::vector<std::size_t>& ring, const LimitGroups& groups) {
   std::size_t changes = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     changes += groups[ring[i]] != groups[ring[(i + 1) % ring.size()]] ? 1 : 0;
   }
-  Groups different = groups;
+  LimitGroups different = groups;
   std::sort(different.begin(), different.end());
   const auto count = std::unique(different.begin(), different.end()) - different.begin();
   return changes == (count == 1 ? 0 : static_cast<std::size_t>(count));
 }
 
 // All orders around a circle.
-OrderLimits limits_by_trying(const Numbers& numbers, const Groups& groups) {
+OrderLimits limits_by_trying(const LimitNumbers& numbers, const LimitGroups& groups) {
   std::vector<std::size_t> ring(numbers.size());
   std::iota(ring.begin(), ring.end(), std::size_t{0});
   OrderLimits best{-1.0, -1.0, numbers.size()};
@@ -52,8 +52,8 @@ OrderLimits limits_by_trying(const Numbers& numbers, const Groups& groups) {
 // One group can be in order around the map; two that do not overlap as well, with either size
 // first.
 TEST(OrderLimits, AreWholeWhereTheNumbersDoNotOverlap) {
-  for (const Groups& groups : {Groups{0, 0, 0, 0, 0, 0}, Groups{0, 0, 0, 1, 1, 1},
-                               Groups{1, 1, 0, 0, 0, 1}, Groups{2, 2, 7, 7, 4, 4}}) {
+  for (const LimitGroups& groups : {LimitGroups{0, 0, 0, 0, 0, 0}, LimitGroups{0, 0, 0, 1, 1, 1},
+                                    LimitGroups{1, 1, 0, 0, 0, 1}, LimitGroups{2, 2, 7, 7, 4, 4}}) {
     const auto limits = order_limits({1, 2, 3, 4, 5, 6}, groups);
     ASSERT_TRUE(limits);
     EXPECT_DOUBLE_EQ(limits->around, 1.0);
@@ -86,8 +86,8 @@ TEST(OrderLimits, AreTheBestOfAllArrangements) {
   for (int problem = 0; problem < 25; ++problem) {
     const std::size_t count = 3 + random.below(4);
     const std::size_t kinds = 1 + random.below(3);
-    Numbers numbers;
-    Groups groups;
+    LimitNumbers numbers;
+    LimitGroups groups;
     for (std::size_t i = 0; i < count; ++i) {
       numbers.push_back(static_cast<double>(random.below(6)));
       groups.push_back(random.below(kinds));
