@@ -100,7 +100,19 @@ def verdict_sentence(claims):
         return "No claim of the papers was measured."
     pairs = [len(c["values"]) for c in papers]
     sentence = f"Verdicts on {tables.counted(len(papers), 'claim')} of the papers, side questions included, "
-    return sentence + f"each with at least {tables.counted(min(pairs), 'pair')}: {tables.verdict_counts(papers)}."
+    sentence += f"each with at least {tables.counted(min(pairs), 'pair')}: {tables.verdict_counts(papers)}."
+    return f"{sentence} {written_sentence(papers)}".rstrip()
+
+
+def written_sentence(papers):
+    """The verdicts by the second measures; empty if there are none."""
+    second = [c for c in papers if "as_written" in c]
+    if not second:
+        return ""
+    contradicted = [c for c in papers if "contradicted_by" in c]
+    return (f"As written, with the second measures of {tables.counted(len(second), 'claim')}: "
+            f"{tables.written_verdict_counts(papers)}. A figure of its paper contradicts "
+            f"{tables.counted(len(contradicted), 'claim')}.")
 
 
 def confusion_sections(results):
@@ -192,6 +204,7 @@ def fill(template, results, sweeps):
         "pairs_of_a_recording": turns(systems),
         "verdicts": verdict_sentence(results["claims"]),
         "claims": claim_sections(results["claims"]),
+        "as_written": "\n{{remarks as written}}" if tables.has_written(results["claims"]) else "",
         "sweeps": sweep_sections(sweeps),
         "accuracies": accuracy_table(systems),
         "areas": area_table(systems),

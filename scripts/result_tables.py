@@ -6,6 +6,9 @@ import statistics
 import sys
 
 VERDICTS = ("holds", "holds, but so does chance", "mostly", "fails", "cannot be decided here")
+# Those of the second measure, by the words of the texts.
+WRITTEN_VERDICTS = ("holds", "holds, but so does chance", "compatible", "compatible, but no narrower than chance",
+                    "mostly", "not determined", "fails", "cannot be decided here")
 FOLDS = ("leave_group_out", "trial")
 LEAST_FIRST_ORDER = 0.05  # an unknown with a lower index is not considered decisive
 TIMES_CHANCE = 2  # the same for an index below this multiple of the value by chance
@@ -90,12 +93,47 @@ def bounds(claim):
         than_metric = claim.get("than_metric", claim["metric"])
         metric = "that" if than_metric == claim["metric"] else f"`{than_metric}`"
         what += f" less {metric} of {subject(than)}"
-    return f"{what} {range_text(claim)}, {protocol_text(claim)}"
+    return f"{what} {range_text(claim)}, {protocol_text(claim)}{limit_text(claim)}"
+
+
+def limit_text(claim):
+    """The best value that the numbers of the objects permit, if the metric has one."""
+    return f"; best possible {rounded(claim['limit'])}" if "limit" in claim else ""
 
 
 def verdict_text(claim):
     undecided = claim["verdict"] == "cannot be decided here" and claim["reason"]
     return claim["verdict"] + (f": {cell(claim['reason'])}" if undecided else "")
+
+
+def ends(values):
+    return "–" if values is None else f"{rounded(values[0])} to {rounded(values[1])}"
+
+
+def written_text(second):
+    """What the second measure of a claim found."""
+    if second["judged_by"] == "central_range":
+        return f"{number(second['published'])} in {ends(second['range'])}; by chance {ends(second['chance_range'])}"
+    if second["judged_by"] == "mean":
+        sides = [f"{sign} {number(bound)}" for sign, bound in ((">", second["at_least"]), ("<", second["at_most"]))
+                 if bound is not None]
+        return f"mean {rounded(second['mean'])} ({ends(second['range'])}) {' and '.join(sides)}"
+    return (f"`{second['metric']}` {range_text(second)}{limit_text(second)}: {second['mean']:.2f} ± "
+            f"{second['sd']:.2f}, {percent(second['share'])}; by chance {rounded(second['by_chance'])}, "
+            f"{percent(second['chance_share'])}")
+
+
+def written_cells(claim):
+    """The columns of the second measure, and of the figure that contradicts the claim."""
+    second = claim.get("as_written")
+    verdict = verdict_text(second) if second else "the same"
+    if "contradicted_by" in claim:
+        verdict += f"; contradicted by {cell(claim['contradicted_by'])}"
+    return [written_text(second) if second else "–", verdict]
+
+
+def has_written(claims):
+    return any("as_written" in claim or "contradicted_by" in claim for claim in claims)
 
 
 def claim_table(claims):
@@ -106,18 +144,30 @@ def claim_table(claims):
              number(c["published"]), f"{c['mean']:.2f} ± {c['sd']:.2f}", rounded(c["by_chance"]),
              f"{percent(c['share'])} of {len(c['values'])}", percent(c["chance_share"]), verdict_text(c)]
             for c in claims]
+    if has_written(claims):
+        heads += ["as written", "verdict as written"]
+        rows = [row + written_cells(claim) for row, claim in zip(rows, claims)]
     if not with_paper:
         heads, rows = heads[:1] + heads[2:], [row[:1] + row[2:] for row in rows]
     return table(heads, rows)
 
 
+def counted_verdicts(verdicts, known):
+    found = collections.Counter(verdicts)
+    unknown = sorted(set(found) - set(known))
+    if unknown:
+        raise ValueError(f"the verdict '{unknown[0]}' is not one of {', '.join(known)}")
+    return ", ".join(f"*{verdict}*: {found[verdict]}" for verdict in known)
+
+
 def verdict_counts(claims):
     """Counts of the verdicts, such as '*holds*: 2, *fails*: 1'."""
-    found = collections.Counter(claim["verdict"] for claim in claims)
-    unknown = sorted(set(found) - set(VERDICTS))
-    if unknown:
-        raise ValueError(f"the verdict '{unknown[0]}' is not one of {', '.join(VERDICTS)}")
-    return ", ".join(f"*{verdict}*: {found[verdict]}" for verdict in VERDICTS)
+    return counted_verdicts((claim["verdict"] for claim in claims), VERDICTS)
+
+
+def written_verdict_counts(claims):
+    """The same by the second measure of each claim that has one."""
+    return counted_verdicts((claim.get("as_written", claim)["verdict"] for claim in claims), WRITTEN_VERDICTS)
 
 
 # Confusions

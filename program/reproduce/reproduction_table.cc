@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,21 @@ std::string published(const ClaimOutcome& outcome) {
   return outcome.claim.published ? fmt::format("{:g}", *outcome.claim.published) : "-";
 }
 
+// The value beyond which no map of these individuals can be.
+std::string limit_line(const ClaimOutcome& outcome) {
+  return fmt::format("{:4}best value that the numbers of the individuals permit: {:.3f}\n", "",
+                     *outcome.limit);
+}
+
+// The second measure of a claim.
+std::string as_written_lines(const ClaimOutcome& outcome) {
+  std::string text = fmt::format("{:4}as written: {} ({})\n", "", choice_name(outcome.verdict()),
+                                 outcome.summary());
+  if (!outcome.reason().empty()) text += fmt::format("{:6}{}\n", "", outcome.reason());
+  if (outcome.limit) text += "  " + limit_line(outcome);
+  return text;
+}
+
 std::string claim_lines(const ClaimOutcome& outcome) {
   const Claim& claim = outcome.claim;
   const Metric values{claim.metric, outcome.values};
@@ -55,6 +71,11 @@ std::string claim_lines(const ClaimOutcome& outcome) {
       choice_name(outcome.verdict()), 100.0 * outcome.share(), published(outcome), values.mean(),
       values.standard_deviation(), subject, claim.text, claim.measured(), claim.bounds());
   if (!outcome.reason().empty()) text += fmt::format("{:4}{}\n", "", outcome.reason());
+  if (outcome.limit) text += limit_line(outcome);
+  if (!claim.contradicted_by.empty()) {
+    text += fmt::format("{:4}contradicted by {}\n", "", claim.contradicted_by);
+  }
+  for (const ClaimOutcome& second : outcome.as_written) text += as_written_lines(second);
   return text;
 }
 
@@ -72,17 +93,36 @@ std::string claims_text(const std::vector<ClaimOutcome>& claims, bool of_papers,
       title, text);
 }
 
+// By the second measure, if there is one.
+const ClaimOutcome& as_written(const ClaimOutcome& outcome) {
+  return outcome.as_written.empty() ? outcome : outcome.as_written.front();
+}
+
+using Measure = std::function<const ClaimOutcome&(const ClaimOutcome&)>;
+
 // The number of claims of papers with each verdict.
-std::string verdicts_text(const std::vector<ClaimOutcome>& claims) {
+std::string verdicts_text(const std::string& title, std::size_t width,
+                          const std::vector<ClaimOutcome>& claims, const Measure& measure) {
   std::string text;
   for (const auto& [verdict, name] : Choices<ClaimVerdict>::all()) {
     const auto count =
         std::count_if(claims.begin(), claims.end(), [&](const ClaimOutcome& outcome) {
-          return outcome.claim.is_of_paper() && outcome.verdict() == verdict;
+          return outcome.claim.is_of_paper() && measure(outcome).verdict() == verdict;
         });
-    if (count > 0) text += fmt::format("  {:<25} {:>4}\n", name, count);
+    if (count > 0) text += fmt::format("  {:<{}} {:>4}\n", name, width, count);
   }
-  return text.empty() ? text : "\nVerdicts on the claims of papers\n" + text;
+  return text.empty() ? text : fmt::format("\n{}\n{}", title, text);
+}
+
+// For both measures; for the second one only if a claim has it.
+std::string verdicts_text(const std::vector<ClaimOutcome>& claims) {
+  const auto first = [](const ClaimOutcome& outcome) -> const ClaimOutcome& { return outcome; };
+  std::string text = verdicts_text("Verdicts on the claims of papers", 25, claims, first);
+  const bool has_second = std::any_of(claims.begin(), claims.end(), [](const auto& outcome) {
+    return outcome.claim.is_of_paper() && !outcome.as_written.empty();
+  });
+  if (has_second) text += verdicts_text("The same as written in the texts", 39, claims, as_written);
+  return text;
 }
 
 }  // namespace

@@ -24,6 +24,14 @@ def claim(**changes):
     return {**made, **changes}
 
 
+def written(**changes):
+    made = {"judged_by": "central_range", "metric": "classes_separated", "published": 5, "at_least": None,
+            "at_most": None, "verdict": "compatible", "reason": "", "share": 0.75, "mean": 5.25, "sd": 0.5,
+            "by_chance": None, "chance_share": None, "values": [5, 5, 5, 6], "range": [4, 6], "chance_range": [6, 8],
+            "recordings": [0, 0, 1, 1]}
+    return {**made, **changes}
+
+
 def run(*pairs):
     return {"seed": 1, "winners": [], "labels": [p[0] for p in pairs], "predictions": [p[1] for p in pairs]}
 
@@ -76,6 +84,33 @@ class Claims(unittest.TestCase):
         text = result_tables.claim_table([claim(paper="", chance_share=None, by_chance=None)])
         self.assertEqual(text.splitlines()[2].split(" | ")[5:], ["75 % of 4", "–", "mostly |"])
         self.assertNotIn("paper", text)
+
+    def test_a_second_measure_has_its_columns(self):
+        rows = result_tables.claim_table([
+            claim(as_written=written(), contradicted_by="Fig. 8"), claim(limit=0.877),
+            claim(as_written=written(judged_by="mean", published=None, at_least=0, range=[-0.25, 1.126], mean=0.4,
+                                     verdict="not determined")),
+            claim(as_written=written(judged_by="share_of_pairs", at_most=1, limit=3, by_chance=3.5, chance_share=0.01,
+                                     metric="exceptions_around", verdict="cannot be decided here",
+                                     reason="4 pairs; 20 are needed"))]).splitlines()
+        self.assertEqual([line.split(" | ")[9:] for line in (rows[0], *rows[2:])], [
+            ["as written", "verdict as written |"],
+            ["5 in 4 to 6; by chance 6 to 8", "compatible; contradicted by Fig. 8 |"],
+            ["–", "the same |"],
+            ["mean 0.4 (-0.25 to 1.13) > 0", "not determined |"],
+            ["`exceptions_around` ≤ 1; best possible 3: 5.25 ± 0.50, 75 %; by chance 3.5, 1 %",
+             "cannot be decided here: 4 pairs; 20 are needed |"]])
+        self.assertIn("`classes_separated` 4 to 6, train = test; best possible 0.88", rows[3])
+
+    def test_verdicts_as_written_are_counted_with_those_of_the_other_claims(self):
+        counts = result_tables.written_verdict_counts([claim(as_written=written()), claim(), claim(verdict="fails")])
+        self.assertIn("*compatible*: 1, ", counts)
+        self.assertIn("*mostly*: 1, ", counts)
+        self.assertIn("*fails*: 1, ", counts)
+        sentence = reproduction_page.verdict_sentence([claim(as_written=written()), claim(contradicted_by="Fig. 8")])
+        self.assertIn("the second measures of 1 claim: ", sentence)
+        self.assertTrue(sentence.endswith("A figure of its paper contradicts 1 claim."))
+        self.assertNotIn("written", reproduction_page.verdict_sentence([claim()]))
 
     def test_a_comparison_names_what_it_is_compared_with(self):
         compared = claim(than_system="hardness", than_variation="small", than_metric="classes_separated",

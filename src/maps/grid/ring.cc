@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <utility>
 
 #include "base/core/rank_correlation.h"
@@ -67,13 +69,41 @@ std::vector<double> cut(const std::vector<AtOneAngle>& angles, std::size_t first
   return centred_ranks(places);
 }
 
+// The length of the longest subsequence that does not fall. `least_ends` is memory for reuse.
+std::size_t longest_rise(std::span<const double> sequence, std::vector<double>& least_ends) {
+  least_ends.clear();  // of the rises of each length
+  for (const double value : sequence) {
+    const auto longer = std::upper_bound(least_ends.begin(), least_ends.end(), value);
+    if (longer == least_ends.end()) {
+      least_ends.push_back(value);
+    } else {
+      *longer = value;
+    }
+  }
+  return least_ends.size();
+}
+
+// The numbers by angle, in falling order at one angle, so that a rise cannot contain two different
+// numbers there.
+std::vector<double> numbers_around(const std::vector<AtOneAngle>& angles,
+                                   const std::vector<double>& numbers) {
+  std::vector<double> around;
+  around.reserve(2 * numbers.size());
+  for (const AtOneAngle& angle : angles) {
+    for (const std::size_t individual : angle) around.push_back(numbers[individual]);
+    std::sort(around.end() - static_cast<std::ptrdiff_t>(angle.size()), around.end(),
+              std::greater<>());
+  }
+  return around;
+}
+
 }  // namespace
 
 Ring::Ring(const std::vector<Position>& from_centre) {
-  const std::vector<AtOneAngle> angles = by_angle(from_centre);
-  cuts_.reserve(angles.size());
-  for (std::size_t first = 0; first < angles.size(); ++first) {
-    cuts_.push_back(cut(angles, first, from_centre.size()));
+  angles_ = by_angle(from_centre);
+  cuts_.reserve(angles_.size());
+  for (std::size_t first = 0; first < angles_.size(); ++first) {
+    cuts_.push_back(cut(angles_, first, from_centre.size()));
   }
 }
 
@@ -87,6 +117,26 @@ RingOrder Ring::best_order(const std::vector<double>& ranks) const {
     best.falling = std::max(best.falling, -correlation);
   }
   return best;
+}
+
+std::size_t Ring::longest_run(const std::vector<double>& numbers) const {
+  std::vector<double> twice = numbers_around(angles_, numbers);
+  const std::size_t count = twice.size();
+  for (std::size_t i = 0; i < count; ++i) twice.push_back(twice[i]);
+  std::vector<double> memory;
+  std::size_t longest = numbers.empty() ? 0 : 1;  // One individual is in order anywhere.
+  std::size_t start = 0;
+  for (const AtOneAngle& angle : angles_) {
+    longest = std::max(longest, longest_rise(std::span(twice).subspan(start, count), memory));
+    start += angle.size();
+  }
+  return longest;
+}
+
+RingExceptions Ring::least_exceptions(const std::vector<double>& numbers) const {
+  std::vector<double> falling = numbers;
+  for (double& number : falling) number = -number;
+  return {numbers.size() - longest_run(numbers), numbers.size() - longest_run(falling)};
 }
 
 }  // namespace somato

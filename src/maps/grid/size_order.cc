@@ -61,6 +61,20 @@ double order_within(const std::vector<Ranked>& groups) {
   return best_of_both(sum) / static_cast<double>(groups.size());
 }
 
+std::size_t fewest_of_both(const RingExceptions& exceptions) {
+  return std::min(exceptions.growing, exceptions.falling);
+}
+
+std::size_t exceptions_within(const std::vector<Ranked>& groups) {
+  RingExceptions sum;
+  for (const Ranked& group : groups) {
+    const RingExceptions exceptions = group.ring.least_exceptions(group.ranks);
+    sum.growing += exceptions.growing;
+    sum.falling += exceptions.falling;
+  }
+  return fewest_of_both(sum);
+}
+
 // The data from which the orders are computed.
 struct Rankings {
   Ranked all;
@@ -99,7 +113,9 @@ Rankings rankings_of(const std::vector<MappedIndividual>& individuals) {
 }
 
 CircularOrder order_of(const Rankings& rankings) {
-  return {order_around(rankings.all), order_within(rankings.groups)};
+  return {order_around(rankings.all), order_within(rankings.groups),
+          fewest_of_both(rankings.all.ring.least_exceptions(rankings.all.ranks)),
+          exceptions_within(rankings.groups)};
 }
 
 // Equal numbers have equal ranks: to shuffle the ranks is to shuffle the numbers.
@@ -145,8 +161,8 @@ CircularOrderByChance circular_order_chance(const std::vector<MappedIndividual>&
   Rankings rankings = rankings_of(individuals);
   const CircularOrder right = order_of(rankings);
   Random random(seed, Stream::kSizeOrder);
-  CircularOrder sum;
-  CircularOrder as_high{1.0, 1.0};  // the true order is one of them
+  OrderFigures sum;
+  OrderFigures as_high{1.0, 1.0};  // the true order is one of them
   std::vector<CircularOrder> of_each;
   of_each.reserve(shuffles);
   for (std::size_t i = 0; i < shuffles; ++i) {

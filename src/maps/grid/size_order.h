@@ -40,17 +40,30 @@ struct CircularOrder {
   /// three angles are always in order in one direction, so groups of three provide little
   /// information.
   double within = 0.0;
+  /// The number of individuals to take away until the others are in order around the map: P11's
+  /// "exception". An individual at the mean of all positions is an exception (one on its own is
+  /// not), and of several at one angle only those with equal numbers are in order.
+  std::size_t exceptions_around = 0;
+  /// The same within each group, the sum over the groups with at least three different numbers; one
+  /// direction for all groups, with separate starting points.
+  std::size_t exceptions_within = 0;
 };
 
 /// Throws InvalidArgument without individuals, or with a number or position that is not finite.
 CircularOrder circular_order(const std::vector<MappedIndividual>& individuals);
 
+/// A value for each of the two correlations of CircularOrder.
+struct OrderFigures {
+  double around = 0.0;
+  double within = 0.0;
+};
+
 /// Values by chance: the means over `shuffles` shuffles of the numbers, for `within` within their
 /// groups (0 for none), and the shares of shuffles with a value at least as high as that of the
 /// true order, which is counted as one of them: never 0. Throws like circular_order().
 struct CircularOrderByChance {
-  CircularOrder mean;
-  CircularOrder share_as_high;
+  OrderFigures mean;
+  OrderFigures share_as_high;
   std::vector<CircularOrder> of_each;  ///< One for each shuffling.
 };
 

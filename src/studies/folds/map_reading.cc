@@ -95,15 +95,50 @@ std::size_t class_named(const Classes& classes, const std::string& name) {
   return static_cast<std::size_t>(found - classes.names.begin());
 }
 
-void read_pairs(const StudyParameters& study, const Classes& classes, const Numbers& right,
-                const Numbers& surroundings, Readings& values) {
+void read_pairs(const StudyParameters& study, const Classes& classes, const Groupings& groupings,
+                const Grid& grid, const Numbers& winners, Readings& values) {
   for (const std::string& pair : study.mapped_with) {
     const std::size_t gap = pair.find(' ');
     const std::size_t a = class_named(classes, pair.substr(0, gap));
     const std::size_t b = class_named(classes, pair.substr(gap + 1));
-    values.push_back(
-        {"mapped_with " + pair, static_cast<double>(mapped_with(right, surroundings, a, b))});
+    add_measure(
+        "mapped_with " + pair, groupings,
+        [&](const Numbers& grouped) {
+          return static_cast<double>(
+              mapped_with(grouped, classes_of_surroundings(grid, winners, grouped), a, b));
+        },
+        values);
   }
+}
+
+// A measure and its mean over the shuffles.
+void add_exceptions(const std::string& name, const CircularOrder& found,
+                    const CircularOrderByChance& by_chance, std::size_t CircularOrder::* exceptions,
+                    Readings& values) {
+  values.push_back({name, static_cast<double>(found.*exceptions)});
+  MeasuredValue shuffled{name + "_chance"};
+  for (const CircularOrder& one : by_chance.of_each) {
+    const auto value = static_cast<double>(one.*exceptions);
+    shuffled.value += value;
+    ++shuffled.of_each[value];
+  }
+  shuffled.value /= static_cast<double>(by_chance.of_each.size());
+  values.push_back(std::move(shuffled));
+}
+
+void read_exceptions(const CircularOrder& found, const CircularOrderByChance& by_chance,
+                     Readings& values) {
+  add_exceptions("exceptions_around", found, by_chance, &CircularOrder::exceptions_around, values);
+  add_exceptions("exceptions_within", found, by_chance, &CircularOrder::exceptions_within, values);
+}
+
+// The same in each run: beside the metrics that they limit.
+void read_limits(const std::vector<double>& numbers, const Numbers& groups, Readings& values) {
+  const auto limits = order_limits(numbers, groups);
+  if (!limits) return;
+  values.push_back({"order_around_greatest", limits->around});
+  values.push_back({"order_within_greatest", limits->within});
+  values.push_back({"exceptions_around_least", static_cast<double>(limits->exceptions_around)});
 }
 
 void read_order(const StudiedOrder& order, const Grid& grid, const Numbers& winners,
@@ -127,6 +162,8 @@ void read_order(const StudiedOrder& order, const Grid& grid, const Numbers& winn
   values.push_back(std::move(around));
   values.push_back({"order_within", found.within});
   values.push_back(std::move(within));
+  read_exceptions(found, by_chance, values);
+  read_limits(numbers, first_of(order.groups, learned), values);
   const RankOrder along = order_along(mapped, kShuffles, seed);
   values.push_back({"order_along", along.correlation});
   values.push_back({"order_along_chance", along.shuffled});
@@ -236,8 +273,7 @@ std::vector<MeasuredValue> read_map(const StudyParameters& study, const Prepared
                               wrong_classes(label, winners.size(), study.wrong_groupings, seed)};
     read_label(own ? "" : label.name + ".", groupings, grid, winners, values);
     if (!own) continue;
-    read_pairs(study, label.classes, groupings.right,
-               classes_of_surroundings(grid, winners, groupings.right), values);
+    read_pairs(study, label.classes, groupings, grid, winners, values);
   }
   if (prepared.order) {
     // A graph can be drawn in many ways, so that positions have no meaning.

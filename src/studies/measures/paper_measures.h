@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "maps/grid/size_order.h"
@@ -29,6 +30,21 @@ std::size_t samples_with_size_in_other_group(const Grid& grid,
                                              const std::vector<std::size_t>& winners,
                                              const std::vector<std::size_t>& individuals,
                                              const std::vector<SizedThing>& things);
+
+/// The best values of CircularOrder that the individuals' numbers permit if each group has one
+/// connected area and no two individuals have the same angle: P11 III-B reports both an order
+/// around the map and connected groups, which sizes that overlap can exclude.
+struct OrderLimits {
+  double around = 0.0;                ///< The greatest.
+  double within = 0.0;                ///< The greatest; 0 without a group of three numbers.
+  std::size_t exceptions_around = 0;  ///< The least.
+};
+
+/// Over all arrangements, exactly. Nothing for more than five groups, whose arrangements are too
+/// many, and for individuals that all have the same number. Throws InvalidArgument without
+/// individuals, with a number that is not finite, or if the sizes differ.
+std::optional<OrderLimits> order_limits(const std::vector<double>& numbers,
+                                        const std::vector<std::size_t>& groups);
 
 /// How well the order of individuals along a line follows their numbers: for each group the
 /// absolute Spearman correlation of the number and the place along the direction of greatest

@@ -106,17 +106,48 @@ Json optional_json(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json outcome_json(const ClaimOutcome& outcome) {
+Json range_json(const std::optional<ClaimRange>& range) {
+  return range ? Json{range->low, range->high} : Json(nullptr);
+}
+
+// The measured values, and the verdict on them.
+Json measured_json(const ClaimOutcome& outcome) {
   const Metric values{outcome.claim.metric, outcome.values};
+  Json json = {{"verdict", choice_name(outcome.verdict())},
+               {"reason", outcome.reason()},
+               {"share", outcome.share()},
+               {"mean", values.mean()},
+               {"sd", values.standard_deviation()},
+               {"by_chance", optional_json(outcome.by_chance)},
+               {"chance_share", optional_json(outcome.chance_share)},
+               {"values", outcome.values}};
+  if (outcome.limit) json["limit"] = *outcome.limit;
+  return json;
+}
+
+// The second measure of a claim.
+Json as_written_json(const ClaimOutcome& outcome) {
+  const Claim& claim = outcome.claim;
+  Json json = {{"judged_by", choice_name(claim.criterion)},
+               {"metric", claim.metric},
+               {"published", optional_json(claim.published)},
+               {"at_least", optional_json(claim.at_least)},
+               {"at_most", optional_json(claim.at_most)}};
+  json.update(measured_json(outcome));
+  json["range"] = range_json(outcome.range());
+  json["chance_range"] = range_json(outcome.chance_range);
+  json["recordings"] = outcome.recordings;
+  return json;
+}
+
+Json outcome_json(const ClaimOutcome& outcome) {
   Json json = detail::claim_json(outcome.claim);
-  json["verdict"] = choice_name(outcome.verdict());
-  json["reason"] = outcome.reason();
-  json["share"] = outcome.share();
-  json["mean"] = values.mean();
-  json["sd"] = values.standard_deviation();
-  json["by_chance"] = optional_json(outcome.by_chance);
-  json["chance_share"] = optional_json(outcome.chance_share);
-  json["values"] = outcome.values;
+  if (!outcome.claim.contradicted_by.empty()) {
+    json["contradicted_by"] = outcome.claim.contradicted_by;
+  }
+  json.update(measured_json(outcome));
+  for (const ClaimOutcome& second : outcome.as_written)
+    json["as_written"] = as_written_json(second);
   return json;
 }
 

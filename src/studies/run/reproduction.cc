@@ -56,24 +56,60 @@ const PartResults* find_part(const std::vector<PartResults>& parts, const std::s
   return found == parts.end() ? nullptr : &*found;
 }
 
-std::optional<ClaimOutcome> judge(const Claim& claim, const std::vector<PartResults>& parts) {
-  const ProtocolResults* system =
-      find_protocol(find_part(parts, claim.question, claim.system, claim.variation), claim);
+std::vector<std::size_t> recordings_of(const PartResults& part) {
+  std::vector<std::size_t> recordings;
+  recordings.reserve(part.pairs.size());
+  for (const Pair& pair : part.pairs) recordings.push_back(pair.recording);
+  return recordings;
+}
+
+// The best value that the numbers of the explored individuals permit, which is the same in each
+// pair.
+std::optional<double> limit_of(const std::string& metric, const ProtocolResults& system) {
+  for (const char* suffix : {"_greatest", "_least"}) {
+    if (const Metric* limit = system.find_metric(metric + suffix)) return limit->mean();
+  }
+  return {};
+}
+
+void add_chance(const Claim& claim, const ProtocolResults& system, ClaimOutcome& outcome) {
+  outcome.limit = limit_of(claim.metric, system);
+  const Metric* by_chance = system.find_metric(claim.metric + "_chance");
+  if (!by_chance) return;
+  outcome.by_chance = by_chance->mean();
+  outcome.chance_share = chance_share_of(claim, *by_chance);
+  outcome.chance_range = chance_range_of(*by_chance);
+}
+
+std::optional<ClaimOutcome> judge_once(const Claim& claim, const std::vector<PartResults>& parts) {
+  const PartResults* part = find_part(parts, claim.question, claim.system, claim.variation);
+  const ProtocolResults* system = find_protocol(part, claim);
   const Metric* metric = system ? system->find_metric(claim.metric) : nullptr;
   if (!metric) return {};
   ClaimOutcome outcome{claim, metric->values, {}, {}, reason_undecidable(claim, *system)};
+  outcome.recordings = recordings_of(*part);
   if (!claim.compares()) {
-    const Metric* by_chance = system->find_metric(claim.metric + "_chance");
-    if (!by_chance) return outcome;
-    outcome.by_chance = by_chance->mean();
-    outcome.chance_share = chance_share_of(claim, *by_chance);
+    add_chance(claim, *system, outcome);
     return outcome;
   }
-  const ProtocolResults* than = find_protocol(
-      find_part(parts, claim.question, claim.than_system, claim.than_variation), claim);
+  const PartResults* other_part =
+      find_part(parts, claim.question, claim.than_system, claim.than_variation);
+  const ProtocolResults* than = find_protocol(other_part, claim);
   const Metric* other = than ? than->find_metric(claim.other_metric()) : nullptr;
   if (!other || other->values.size() != metric->values.size()) return {};
   for (std::size_t i = 0; i < outcome.values.size(); ++i) outcome.values[i] -= other->values[i];
+  if (other_part->recordings.size() < part->recordings.size()) {
+    outcome.recordings = recordings_of(*other_part);
+  }
+  return outcome;
+}
+
+std::optional<ClaimOutcome> judge(const Claim& claim, const std::vector<PartResults>& parts) {
+  auto outcome = judge_once(claim, parts);
+  if (!outcome) return outcome;
+  if (const auto second = claim.as_written()) {
+    if (auto judged = judge_once(*second, parts)) outcome->as_written.push_back(std::move(*judged));
+  }
   return outcome;
 }
 

@@ -93,6 +93,14 @@ Json claim_report(const ClaimOutcome& outcome, const std::string& file) {
                {"verdict", choice_name(outcome.verdict())},
                {"reason", outcome.reason()},
                {"share", outcome.share()}});
+  if (!outcome.claim.contradicted_by.empty()) {
+    json["contradicted_by"] = outcome.claim.contradicted_by;
+  }
+  for (const ClaimOutcome& second : outcome.as_written) {
+    json["as_written"] = {{"verdict", choice_name(second.verdict())},
+                          {"reason", second.reason()},
+                          {"summary", second.summary()}};
+  }
   return json;
 }
 

@@ -285,21 +285,62 @@ Claim claim_of(const CheckedJson& json) {
   return claim;
 }
 
-// The verdict follows from the rest, and is refused where it does not.
-ClaimOutcome outcome_of(const CheckedJson& json) {
-  ClaimOutcome outcome{claim_of(json), {}, {}, {}, json.at("reason").text()};
+// The measured values of a claim. The verdict follows from the rest, and is refused where it does
+// not.
+void read_measured(const CheckedJson& json, ClaimOutcome& outcome) {
+  outcome.undecidable = json.at("reason").text();
   json.at("values").each(
       [&](const CheckedJson& value) { outcome.values.push_back(value.number_or_nan()); });
   outcome.by_chance = json.at("by_chance").number_or_nothing();
   outcome.chance_share = json.at("chance_share").number_or_nothing();
+  if (json.has("limit")) outcome.limit = json.at("limit").number();
   const std::string verdict = json.at("verdict").text();
   const double share = json.at("share").number();
-  if (!json.ok()) return outcome;
+  if (!json.ok()) return;
   if (verdict != choice_name(outcome.verdict())) {
     json.at("verdict").refuse("is '" + verdict + "', which does not follow from its values");
   }
   if (std::abs(share - outcome.share()) > kRounding) {
     json.at("share").refuse("does not follow from its values");
+  }
+}
+
+ClaimCriterion criterion_of(const CheckedJson& json) {
+  const auto criterion = choice_named<ClaimCriterion>("judged_by", json.text(), {});
+  if (!criterion && json.ok()) json.refuse("is no criterion of claims");
+  return criterion.value_or(ClaimCriterion::kShareOfPairs);
+}
+
+std::optional<ClaimRange> range_of(const CheckedJson& json) {
+  if (json.is_null()) return {};
+  std::vector<double> ends;
+  json.each([&](const CheckedJson& end) { ends.push_back(end.number()); });
+  if (!json.ok()) return {};
+  expect_length(json, 2);
+  return json.ok() ? std::optional(ClaimRange{ends[0], ends[1]}) : std::nullopt;
+}
+
+ClaimOutcome as_written_of(const CheckedJson& json, const Claim& claim) {
+  ClaimOutcome outcome{claim, {}, {}};
+  outcome.claim.criterion = criterion_of(json.at("judged_by"));
+  outcome.claim.metric = json.at("metric").text();
+  outcome.claim.published = json.at("published").number_or_nothing();
+  outcome.claim.at_least = json.at("at_least").number_or_nothing();
+  outcome.claim.at_most = json.at("at_most").number_or_nothing();
+  json.at("recordings").each([&](const CheckedJson& recording) {
+    outcome.recordings.push_back(static_cast<std::size_t>(recording.whole(kAny)));
+  });
+  outcome.chance_range = range_of(json.at("chance_range"));
+  read_measured(json, outcome);
+  return outcome;
+}
+
+ClaimOutcome outcome_of(const CheckedJson& json) {
+  ClaimOutcome outcome{claim_of(json), {}, {}};
+  outcome.claim.contradicted_by = optional_text(json, "contradicted_by");
+  read_measured(json, outcome);
+  if (json.has("as_written")) {
+    outcome.as_written.push_back(as_written_of(json.at("as_written"), outcome.claim));
   }
   return outcome;
 }

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "base/core/rank_correlation.h"
 #include "somato/core/check.h"
@@ -172,6 +174,141 @@ TEST(CircularOrder, WithinGroupsNeedsThreeNumbers) {
                                         kSidesAndCorners);
   EXPECT_DOUBLE_EQ(circular_order(individuals).within, 0.8);
   EXPECT_EQ(circular_order(drawn({1, 2})).within, 0.0);
+}
+
+// From the top and on clockwise: 1 to 8, without and with 8 between 4 and 5; then two exceptions.
+TEST(CircularOrder, CountsExceptionsInEitherDirectionFromAnywhere) {
+  EXPECT_EQ(circular_order(drawn({1, 2, 3, 8, 0, 4, 7, 6, 5})).exceptions_around, 0U);
+  EXPECT_EQ(circular_order(drawn({5, 4, 3, 6, 0, 2, 7, 8, 1})).exceptions_around, 0U);
+  EXPECT_EQ(circular_order(drawn({1, 2, 3, 7, 0, 4, 6, 5, 8})).exceptions_around, 1U);
+  EXPECT_EQ(circular_order(drawn({8, 5, 6, 4, 0, 7, 3, 2, 1})).exceptions_around, 1U);
+  EXPECT_EQ(circular_order(drawn({3, 1, 5, 8, 0, 4, 7, 6, 2})).exceptions_around, 3U);
+}
+
+// Two lines from left to right. Around it 1 3 5 6 4 2, of which 1 3 5 6 are in order. Clockwise the
+// lower line is 6 4 2, the other way round the upper one is 5 3 1: one exception in either
+// direction.
+TEST(CircularOrder, CountsExceptionsOfParallelLines) {
+  const CircularOrder order = circular_order(drawn({1, 3, 5,  //
+                                                    0, 0, 0,  //
+                                                    2, 4, 6},
+                                                   {0, 0, 0, 0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(order.exceptions_around, 2U);
+  EXPECT_EQ(order.exceptions_within, 1U);
+}
+
+TEST(CircularOrder, CountsNoExceptionOfEqualNumbers) {
+  EXPECT_EQ(circular_order(drawn({1, 1, 2, 4, 0, 2, 3, 3, 3})).exceptions_around, 0U);
+  EXPECT_EQ(circular_order(drawn({7, 7, 7, 7, 7, 7, 7, 7, 0})).exceptions_around, 0U);
+}
+
+// 1 and 2 at one angle are in no order; equal ones are. The centre has no angle.
+TEST(CircularOrder, CountsWhatHasNoPlaceAsExceptions) {
+  EXPECT_EQ(circular_order({{1, 0, {2, 0}}, {2, 0, {1, 0}}, {3, 0, {-3, 3}}, {4, 0, {0, -3}}})
+                .exceptions_around,
+            1U);
+  EXPECT_EQ(circular_order({{2, 0, {2, 0}}, {2, 0, {1, 0}}, {3, 0, {-3, 3}}, {4, 0, {0, -3}}})
+                .exceptions_around,
+            0U);
+  EXPECT_EQ(circular_order(drawn({0, 1, 0, 4, 9, 2, 0, 3, 0})).exceptions_around, 1U);
+  EXPECT_EQ(circular_order(drawn({5})).exceptions_around, 0U);
+  EXPECT_EQ(circular_order({{1, 0, {2, 3}}, {2, 0, {2, 3}}, {3, 0, {2, 3}}}).exceptions_around, 2U);
+}
+
+// Two numbers are always in order, so that the corners do not count: the sides are 1 2 4 3.
+TEST(CircularOrder, CountsExceptionsOfGroupsWithThreeNumbers) {
+  const Individuals individuals = drawn({8, 1, 7,  //
+                                         3, 0, 2,  //
+                                         8, 4, 7},
+                                        kSidesAndCorners);
+  EXPECT_EQ(circular_order(individuals).exceptions_within, 1U);
+  EXPECT_EQ(circular_order(drawn({1, 2})).exceptions_within, 0U);
+}
+
+bool circular_order_has_centre(const Individuals& individuals) {
+  Position sum;
+  for (const MappedIndividual& one : individuals) {
+    sum.x += one.position.x;
+    sum.y += one.position.y;
+  }
+  const auto count = static_cast<double>(individuals.size());
+  return std::any_of(individuals.begin(), individuals.end(), [&](const MappedIndividual& one) {
+    return std::abs(one.position.x - sum.x / count) + std::abs(one.position.y - sum.y / count) <
+           1e-6;
+  });
+}
+
+// The individuals of a set of bits, by ascending angle around the centre.
+std::vector<std::pair<double, double>> chosen(const Individuals& individuals, std::size_t bits,
+                                              double direction) {
+  double x = 0.0;
+  double y = 0.0;
+  for (const MappedIndividual& one : individuals) {
+    x += one.position.x / static_cast<double>(individuals.size());
+    y += one.position.y / static_cast<double>(individuals.size());
+  }
+  std::vector<std::pair<double, double>> turns;
+  for (std::size_t i = 0; i < individuals.size(); ++i) {
+    if ((bits >> i & 1U) == 0) continue;
+    const double angle = std::atan2(individuals[i].position.y - y, individuals[i].position.x - x);
+    turns.emplace_back(std::round(direction * angle * 1e6), individuals[i].number);
+  }
+  std::sort(turns.begin(), turns.end());
+  return turns;
+}
+
+// Whether from some start no number falls, and those at one angle are equal.
+bool is_in_order(const std::vector<std::pair<double, double>>& turns) {
+  std::size_t falls = 0;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const auto& next = turns[(i + 1) % turns.size()];
+    if (turns[i].first == next.first && turns[i].second != next.second) return false;
+    falls += next.second < turns[i].second ? 1 : 0;
+  }
+  return falls <= 1;
+}
+
+std::size_t exceptions_by_trying(const Individuals& individuals) {
+  int most = 1;
+  for (std::size_t bits = 1; bits < std::size_t{1} << individuals.size(); ++bits) {
+    for (const double direction : {1.0, -1.0}) {
+      if (is_in_order(chosen(individuals, bits, direction))) {
+        most = std::max(most, std::popcount(bits));
+      }
+    }
+  }
+  return individuals.size() - static_cast<std::size_t>(most);
+}
+
+// On odd numbers of places around a centre that no individual is at, some of them shared.
+TEST(CircularOrder, CountsTheExceptionsThatTryingAllFinds) {
+  Random random(5, Stream::kSizeOrder);
+  for (int problem = 0; problem < 200; ++problem) {
+    Individuals individuals;
+    const std::size_t count = 3 + random.below(6);
+    for (std::size_t i = 0; i < count; ++i) {
+      individuals.push_back(
+          {static_cast<double>(random.below(6)),
+           0,
+           {static_cast<double>(random.below(5)), static_cast<double>(random.below(5)) + 0.37}});
+    }
+    // An individual at the centre has no angle, and atan2 gives it one.
+    if (circular_order_has_centre(individuals)) continue;
+    EXPECT_EQ(circular_order(individuals).exceptions_around, exceptions_by_trying(individuals))
+        << problem;
+  }
+}
+
+TEST(CircularOrderByChance, HasTheExceptionsOfEachShuffle) {
+  const CircularOrderByChance by_chance =
+      circular_order_chance(drawn({0, 1, 0, 4, 0, 2, 0, 3, 0}), 600, 3);
+  std::size_t without = 0;
+  for (const CircularOrder& order : by_chance.of_each) {
+    EXPECT_LE(order.exceptions_around, 1U);
+    EXPECT_EQ(order.exceptions_around == 0, order.around > 0.99);
+    without += order.exceptions_around == 0 ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<double>(without) / 600, 1.0 / 3.0, 0.07);  // 2 of the 6 orders
 }
 
 // Four have six orders around: two of them (one a direction) with 1, four with 0.8.

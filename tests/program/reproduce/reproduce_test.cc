@@ -131,6 +131,7 @@ TEST_F(Reproduce, JudgesClaims) {
             "[variation.single]\nmodule.map.rows = 1\nmodule.map.columns = 1\n"
             "[[claim]]\ntext = 'One neuron separates no class.'\n"
             "paper = 'P11'\nvariation = 'single'\nmetric = 'classes_separated'\nat_most = 0\n"
+            "published = 0\njudged_by = 'central_range'\ncontradicted_by = 'Fig. 8'\n"
             "[[claim]]\ntext = 'Nine neurons separate more.'\nthan_variation = 'single'\n"
             "metric = 'classes_separated'\nat_least = 1\nat_most = 8\n");
   const std::string shown = output_of(reproduce("press.toml", "out"));
@@ -149,8 +150,19 @@ TEST_F(Reproduce, JudgesClaims) {
   EXPECT_TRUE(json["claims"][1]["chance_share"].is_null());
   EXPECT_NE(shown.find("Claims of papers"), std::string::npos);
   EXPECT_LT(shown.find("One neuron separates"), shown.find("Comparisons of our own"));
-  EXPECT_GT(shown.find("Nine neurons separate more. (classes_separated between 1 and 8)"),
+  EXPECT_GT(shown.find("Nine neurons separate more. (classes_separated less that of single between "
+                       "1 and 8)"),
             shown.find("Comparisons of our own"));
+  EXPECT_NE(
+      shown.find("    as written: cannot be decided here (classes_separated range with 0: mean "
+                 "0.000, central 90 % 0.00 to 0.00, by chance 0.00 to 0.00, 100 % of the pairs)\n"
+                 "      3 pairs; 20 are needed\n"),
+      std::string::npos);
+  EXPECT_NE(shown.find("    contradicted by Fig. 8\n"), std::string::npos);
+  EXPECT_NE(shown.find("The same as written in the texts\n  cannot be decided here"),
+            std::string::npos);
+  EXPECT_EQ(json["claims"][0]["as_written"]["judged_by"], "central_range");
+  EXPECT_FALSE(json["claims"][1].contains("as_written"));
   EXPECT_NE(shown.find("cannot be decided here       1\n"), std::string::npos);
   // With all samples at one neuron nothing is separated, so the difference is the metric itself.
   const Json& nine = json["parts"][0]["protocols"][0]["metrics"]["classes_separated"];

@@ -185,6 +185,19 @@ TEST_F(ReadOrder, HasARankCorrelation) {
   EXPECT_DOUBLE_EQ(read_numbers({1, 3, 2, 4}).at("order_around"), 0.8);
 }
 
+TEST_F(ReadOrder, CountsExceptionsAndHasTheBestThatTheNumbersPermit) {
+  const ByName values = read_numbers({1, 3, 2, 4});
+  EXPECT_EQ(values.at("exceptions_around"), 1.0);
+  EXPECT_EQ(values.at("exceptions_within"), 1.0);
+  EXPECT_GT(values.at("exceptions_around_chance"), 0.4);  // 1 in 4 of the 6 orders
+  EXPECT_LT(values.at("exceptions_around_chance"), 0.9);
+  EXPECT_EQ(values.at("order_around_greatest"), 1.0);
+  EXPECT_EQ(values.at("exceptions_around_least"), 0.0);
+  // 1 3 and 2 4 overlap.
+  EXPECT_EQ(read_numbers({1, 3, 2, 4}, {0, 0, 1, 1}).at("order_around_greatest"), 0.8);
+  EXPECT_FALSE(read_numbers({2, 2, 2, 2}).contains("order_around_greatest"));
+}
+
 // There are three ways around of four numbers, up to start and direction: 1 2 3 4 with 1,
 // 1 3 2 4 and 1 2 4 3 with 0.8 each.
 TEST_F(ReadOrder, ByChanceIsBetweenTheWorstAndTheBest) {

@@ -105,6 +105,50 @@ TEST(ReadClaims, RefusesWhatCannotHoldAtItsLine) {
       "system.toml:1: unknown metric 'baseline_acuracy'; did you mean 'baseline_accuracy'?");
 }
 
+TEST(ReadClaims, ReadsTheKeysOfTheSecondMeasure) {
+  const auto read = claims(R"([[claim]]
+text = "Five are separated."
+metric = "classes_separated"
+published = 5
+at_least = 4
+judged_by = "central_range"
+contradicted_by = "P11 Fig. 8"
+
+[[claim]]
+text = "They are in order."
+metric = "order_around"
+at_least = 0.9
+judged_metric = "exceptions_around"
+judged_at_most = 1
+)");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->at(0).judged_by, ClaimCriterion::kCentralRange);
+  EXPECT_EQ(read->at(0).contradicted_by, "P11 Fig. 8");
+  EXPECT_EQ(read->at(1).judged_by, ClaimCriterion::kShareOfPairs);
+  EXPECT_EQ(read->at(1).judged_metric, "exceptions_around");
+  EXPECT_EQ(read->at(1).judged_at_most, 1.0);
+}
+
+TEST(ReadClaims, RefusesASecondMeasureThatIsIncomplete) {
+  const std::string claim = "[[claim]]\ntext = 't'\nmetric = 'accuracy'\nat_least = 0\n";
+  expect_refused(claim + "judged_metric = 'order_around'\n",
+                 "system.toml:1: 'judged_metric' has no bound; add judged_at_least or "
+                 "judged_at_most");
+  expect_refused(claim + "judged_metric = 'order_arond'\njudged_at_least = 1\n",
+                 "system.toml:1: unknown metric 'order_arond'; did you mean 'order_around'?");
+  expect_refused(claim + "judged_by = 'central_range'\n",
+                 "system.toml:1: a central range needs a published value; add published = ...");
+  const std::string range = claim + "published = 1\njudged_by = 'central_range'\n";
+  const std::string refused =
+      "system.toml:1: a central range is of one metric, without other bounds; use judged_by = "
+      "\"mean\" for a comparison, and remove the bounds";
+  expect_refused(range + "than_system = 'texture'\n", refused);
+  expect_refused(range + "judged_at_most = 2\n", refused);
+  const auto unknown = claims(claim + "judged_by = 'median'\n");
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().where, "system.toml:5");
+}
+
 TEST(Claim, ComparesWithAnotherSystemVariationOrMetric) {
   Claim claim;
   EXPECT_FALSE(claim.compares());
@@ -162,78 +206,28 @@ TEST(Claim, OfNoPairsHoldsInNone) {
   EXPECT_EQ(share(0.0, {}, {}), 0.0);
 }
 
-// `holding` pairs of 1, then others of 0, for a claim of at least 1.
-ClaimOutcome pairs(std::size_t holding, std::size_t others) {
-  ClaimOutcome outcome;
-  outcome.claim.metric = "classes_separated";
-  outcome.claim.at_least = 1.0;
-  outcome.values.assign(holding, 1.0);
-  outcome.values.resize(holding + others, 0.0);
-  return outcome;
-}
-
-TEST(ClaimVerdict, HoldsFrom95PercentOfThePairs) {
-  EXPECT_EQ(pairs(19, 1).verdict(), ClaimVerdict::kHolds);
-  EXPECT_EQ(pairs(95, 5).verdict(), ClaimVerdict::kHolds);
-  EXPECT_EQ(pairs(94, 6).verdict(), ClaimVerdict::kMostly);
-}
-
-TEST(ClaimVerdict, IsMostlyFromHalfOfThePairs) {
-  EXPECT_EQ(pairs(10, 10).verdict(), ClaimVerdict::kMostly);
-  EXPECT_EQ(pairs(49, 51).verdict(), ClaimVerdict::kFails);
-  EXPECT_EQ(pairs(0, 20).verdict(), ClaimVerdict::kFails);
-}
-
-TEST(ClaimVerdict, NeedsTwentyPairsWithAValue) {
-  EXPECT_EQ(pairs(19, 0).verdict(), ClaimVerdict::kUndecided);
-  EXPECT_EQ(pairs(19, 0).reason(), "19 pairs; 20 are needed");
-  EXPECT_EQ(pairs(0, 1).reason(), "1 pair; 20 are needed");
-  EXPECT_EQ(pairs(20, 0).verdict(), ClaimVerdict::kHolds);
-  EXPECT_EQ(pairs(20, 0).reason(), "");
-  ClaimOutcome without = pairs(20, 0);
-  without.values.back() = std::nan("");
-  EXPECT_EQ(without.reason(), "19 pairs; 20 are needed");
-  without.values.push_back(1.0);  // 20 of 21 pairs
-  EXPECT_EQ(without.verdict(), ClaimVerdict::kHolds);
-}
-
-TEST(ClaimVerdict, SaysWhereChanceHoldsToo) {
-  ClaimOutcome outcome = pairs(20, 0);
-  outcome.chance_share = 0.5;
-  EXPECT_EQ(outcome.verdict(), ClaimVerdict::kHoldsByChanceToo);
-  outcome.chance_share = 0.499;
-  EXPECT_EQ(outcome.verdict(), ClaimVerdict::kHolds);
-  outcome = pairs(10, 10);
-  outcome.chance_share = 1.0;
-  EXPECT_EQ(outcome.verdict(), ClaimVerdict::kMostly);
-}
-
-TEST(ClaimVerdict, IsUndecidedWhateverTheShareWhereTheExplorationsCannotDecide) {
-  ClaimOutcome outcome = pairs(100, 0);
-  outcome.undecidable = "no exploration of 'boccia'";
-  EXPECT_EQ(outcome.verdict(), ClaimVerdict::kUndecided);
-  EXPECT_EQ(outcome.reason(), "no exploration of 'boccia'");
-}
-
-TEST(ClaimVerdict, HasItsNames) {
-  EXPECT_EQ(choice_name(ClaimVerdict::kHolds), "holds");
-  EXPECT_EQ(choice_name(ClaimVerdict::kHoldsByChanceToo), "holds, but so does chance");
-  EXPECT_EQ(choice_name(ClaimVerdict::kMostly), "mostly");
-  EXPECT_EQ(choice_name(ClaimVerdict::kFails), "fails");
-  EXPECT_EQ(choice_name(ClaimVerdict::kUndecided), "cannot be decided here");
-}
-
-// In the first pair 3 of 4 wrong groupings lie within 4 to 6, in the second 1 of 4.
-TEST(Claim, ChanceIsTheMeanShareOfWrongGroupingsWithinTheBounds) {
+TEST(Claim, HasASecondMeasureOnlyIfAKeyDeclaresIt) {
   Claim claim;
-  claim.at_least = 4.0;
-  claim.at_most = 6.0;
-  Metric by_chance{"classes_separated_chance",
-                   {5.0, 6.0},
-                   {{{4.0, 2}, {5.0, 1}, {7.0, 1}}, {{3.0, 1}, {6.0, 1}, {8.0, 2}}}};
-  EXPECT_EQ(chance_share_of(claim, by_chance), 0.5);
-  by_chance.of_each.clear();
-  EXPECT_FALSE(chance_share_of(claim, by_chance));
+  claim.metric = "order_around";
+  claim.published = 0.9;
+  claim.at_least = 0.9;
+  EXPECT_FALSE(claim.as_written());
+  claim.judged_at_least = 0.5;
+  EXPECT_EQ(claim.as_written()->at_least, 0.5);
+  EXPECT_EQ(claim.as_written()->published, 0.9);
+  claim.judged_at_least.reset();
+  claim.judged_by = ClaimCriterion::kMean;
+  EXPECT_EQ(claim.as_written()->criterion, ClaimCriterion::kMean);
+  EXPECT_EQ(claim.as_written()->at_least, 0.9);
+  claim.judged_metric = "exceptions_around";
+  claim.judged_at_most = 1.0;
+  const Claim second = claim.as_written().value();
+  EXPECT_EQ(second.metric, "exceptions_around");
+  EXPECT_FALSE(second.published);
+  EXPECT_FALSE(second.at_least);
+  EXPECT_EQ(second.at_most, 1.0);
+  EXPECT_FALSE(second.as_written());
+  EXPECT_EQ(claim.criterion, ClaimCriterion::kShareOfPairs);
 }
 
 TEST(Claim, SaysItsBounds) {
@@ -244,29 +238,15 @@ TEST(Claim, SaysItsBounds) {
   EXPECT_EQ(claim.bounds(), "between 4 and 6.5");
   claim.at_least.reset();
   EXPECT_EQ(claim.bounds(), "at most 6.5");
-}
-
-TEST(ReasonUndecidable, IsABoundAboveTheExplorationsOrAThingThatIsNotThere) {
-  ProtocolResults system;
-  system.samples = 8;
-  system.runs = {{1, {}, {"boule", "cube"}, {}, {}}};
-  Claim claim;
-  claim.metric = "shape.neighbours_same_class";
-  claim.at_least = 8.0;
-  EXPECT_EQ(reason_undecidable(claim, system), "");
-  claim.at_least = 29.0;
-  EXPECT_EQ(reason_undecidable(claim, system), "8 explorations; 29 are needed");
-  claim.metric = "quantization_error";  // counts no explorations
-  EXPECT_EQ(reason_undecidable(claim, system), "");
-  claim.at_least = 1.0;
-  claim.metric = "mapped_with boule cube";
-  EXPECT_EQ(reason_undecidable(claim, system), "");
-  claim.metric = "mapped_with boccia cube";
-  EXPECT_EQ(reason_undecidable(claim, system), "no exploration of 'boccia'");
-  claim.metric = "mapped_with cube boccia";
-  EXPECT_EQ(reason_undecidable(claim, system), "no exploration of 'boccia'");
-  system.runs.clear();
-  EXPECT_EQ(reason_undecidable(claim, system), "");
+  claim.criterion = ClaimCriterion::kMean;
+  EXPECT_EQ(claim.bounds(), "below 6.5");
+  claim.at_least = 0.0;
+  EXPECT_EQ(claim.bounds(), "between 0 and 6.5");
+  claim.at_most.reset();
+  EXPECT_EQ(claim.bounds(), "above 0");
+  claim.criterion = ClaimCriterion::kCentralRange;
+  claim.published = 5.0;
+  EXPECT_EQ(claim.bounds(), "range with 5");
 }
 
 }  // namespace

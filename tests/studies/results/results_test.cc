@@ -226,6 +226,7 @@ TEST(Results, HaveTheClaimsAndWhatTheyRestOn) {
       "published": null, "at_least": 11.0, "at_most": null, "share": 0.75, "mean": 13.0,
       "verdict": "cannot be decided here", "reason": "4 pairs; 20 are needed",
       "by_chance": 52.5, "chance_share": 0.25, "values": [10.0, 12.0, 14.0, 16.0]})"));
+  EXPECT_FALSE(json["claims"][1].contains("as_written"));
   const Json& than = json["claims"][1];
   EXPECT_EQ(than["than_system"], "small");
   EXPECT_EQ(than["than_variation"], "");
@@ -237,6 +238,30 @@ TEST(Results, HaveTheClaimsAndWhatTheyRestOn) {
   EXPECT_TRUE(than["chance_share"].is_null());
   EXPECT_EQ(json["not_applicable"],
             Json::parse(R"([{"system": "texture", "reason": "no channel 'sound'"}])"));
+}
+
+TEST(Results, HaveTheSecondMeasureOfAClaim) {
+  ClaimOutcome outcome{claim("order_around", 0.9), {0.5, 1.0}, 0.5, 0.25};
+  outcome.limit = 0.875;
+  outcome.claim.contradicted_by = "P11 Fig. 8";
+  ClaimOutcome second{claim("exceptions_around", 0), {0, 2}, 3.5, 0.125};
+  second.claim.criterion = ClaimCriterion::kCentralRange;
+  second.claim.published = 1.0;
+  second.recordings = {0, 1};
+  second.chance_range = ClaimRange{2, 5};
+  outcome.as_written = {second};
+  const Json json = Json::parse(to_json(Results{{}, {outcome}, {}}))["claims"][0];
+  EXPECT_EQ(json["limit"], 0.875);
+  EXPECT_EQ(json["contradicted_by"], "P11 Fig. 8");
+  EXPECT_EQ(json["share"], 0.5);
+  Json written = json["as_written"];
+  EXPECT_DOUBLE_EQ(written["sd"], std::sqrt(2.0));
+  written.erase("sd");
+  EXPECT_EQ(written, Json::parse(R"({"judged_by": "central_range", "metric": "exceptions_around",
+      "published": 1.0, "at_least": 0.0, "at_most": null, "verdict": "cannot be decided here",
+      "reason": "2 pairs; 20 are needed", "share": 1.0, "mean": 1.0, "by_chance": 3.5,
+      "chance_share": 0.125, "values": [0.0, 2.0], "range": [0.0, 2.0],
+      "chance_range": [2.0, 5.0], "recordings": [0, 1]})"));
 }
 
 TEST(Settings, AreATableOfToml) {

@@ -47,6 +47,34 @@ TEST(OwnSystemsClaims, HaveTwoSidesWhereAPaperCounts) {
   }
 }
 
+// A count plus or minus one is a count of one map.
+TEST(OwnSystemsClaims, JudgeCountsOfOneMapByTheirRange) {
+  std::size_t counts = 0;
+  for (const Claim& claim : plan_of_claims().claims) {
+    const bool is_count =
+        claim.is_of_paper() && claim.at_least && claim.at_most && !claim.compares();
+    EXPECT_EQ(claim.judged_by == ClaimCriterion::kCentralRange, is_count) << claim.where;
+    counts += is_count ? 1 : 0;
+  }
+  EXPECT_EQ(counts, 12U);
+}
+
+// Decision 43 lists them.
+TEST(OwnSystemsClaims, JudgeOnlyClaimsOfPapersAgain) {
+  std::size_t means = 0;
+  std::size_t exceptions = 0;
+  std::size_t contradicted = 0;
+  for (const Claim& claim : plan_of_claims().claims) {
+    EXPECT_TRUE(claim.is_of_paper() || !claim.as_written()) << claim.where;
+    means += claim.judged_by == ClaimCriterion::kMean ? 1 : 0;
+    exceptions += claim.judged_metric.starts_with("exceptions") ? 1 : 0;
+    contradicted += claim.contradicted_by.empty() ? 0 : 1;
+  }
+  EXPECT_EQ(means, 28U);
+  EXPECT_EQ(exceptions, 4U);
+  EXPECT_EQ(contradicted, 1U);
+}
+
 TEST(OwnSystemsClaims, StandOnceEach) {
   std::set<std::tuple<std::string, std::string, std::string, std::string, std::string, std::string,
                       std::string>>

@@ -230,6 +230,47 @@ TEST(Judge, ComparesDifferentMetrics) {
   EXPECT_TRUE(judge({claimed}, {part("", "small", "", 1), other}).empty());
 }
 
+// The second measure of a claim has its metric, bounds, chance and recordings.
+TEST(Judge, AddsTheSecondMeasure) {
+  PartResults results = part("", "small", "", 1);
+  ProtocolResults& protocol = results.protocols[0];
+  protocol.metrics[2].of_each.assign(4, {{2.0, 3}, {98.0, 1}});
+  protocol.metrics.push_back({"classes_separated_greatest", {8, 8, 8, 8}});
+  Claim claimed = claim("small", "accuracy", 101);
+  claimed.judged_metric = "classes_separated";
+  claimed.judged_at_most = 12.0;
+  const ClaimOutcome outcome = judge({claimed}, {results}).at(0);
+  EXPECT_EQ(outcome.share(), 0.5);
+  EXPECT_FALSE(outcome.limit);
+  ASSERT_EQ(outcome.as_written.size(), 1U);
+  const ClaimOutcome& second = outcome.as_written[0];
+  EXPECT_EQ(second.values, (Values{10, 12, 1010, 1012}));
+  EXPECT_EQ(second.share(), 0.5);
+  EXPECT_EQ(second.chance_share, 0.75);
+  EXPECT_EQ(second.chance_range, (ClaimRange{2, 98}));
+  EXPECT_EQ(second.limit, 8.0);
+  EXPECT_EQ(second.recordings, (std::vector<std::size_t>{0, 0, 1, 1}));
+  claimed.judged_metric = "topographic_error";  // not measured
+  EXPECT_TRUE(judge({claimed}, {results}).at(0).as_written.empty());
+  EXPECT_TRUE(judge({claim("small", "accuracy", 101)}, {results}).at(0).as_written.empty());
+}
+
+// Pairs that share a recording on either side are not independent.
+TEST(Judge, HasTheRecordingsOfTheSystemWithFewer) {
+  PartResults other = part("", "other", "", 2);
+  other.recordings.resize(1);
+  for (Pair& pair : other.pairs) pair.recording = 0;
+  Claim claimed = claim("small", "accuracy", 0);
+  claimed.than_system = "other";
+  claimed.judged_by = ClaimCriterion::kMean;
+  const std::vector<PartResults> parts{part("", "small", "", 1), other};
+  EXPECT_EQ(judge({claimed}, parts).at(0).as_written.at(0).recordings,
+            (std::vector<std::size_t>{0, 0, 0, 0}));
+  std::swap(claimed.system, claimed.than_system);
+  EXPECT_EQ(judge({claimed}, parts).at(0).as_written.at(0).recordings,
+            (std::vector<std::size_t>{0, 0, 0, 0}));
+}
+
 TEST(Judge, KeepsQuestionsApart) {
   const std::vector<PartResults> parts{part("", "small", "", 1), part("why", "small", "", 2)};
   Claim questioned = claim("small", "accuracy", 0);

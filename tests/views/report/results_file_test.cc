@@ -50,6 +50,9 @@ Results made_results() {
   other_claim.than_variation.clear();
   Claim of_two_metrics = claim;
   of_two_metrics.than_metric = "baseline_accuracy";
+  of_two_metrics.judged_by = ClaimCriterion::kMean;
+  of_two_metrics.judged_at_most = 0.5;
+  of_two_metrics.contradicted_by = "P11 Fig. 8";
   all.claims = judge({claim, other_claim, of_two_metrics}, all.parts);
   all.not_applicable = {{"texture", "no sound"}};
   return all;
@@ -125,6 +128,15 @@ TEST(ResultsFile, ReadBackAsTheyWere) {
   EXPECT_EQ(read->claims[0].claim.published, 0.25);
   EXPECT_EQ(read->claims[0].claim.than_metric, "accuracy");
   EXPECT_EQ(read->claims[2].claim.than_metric, "baseline_accuracy");
+  EXPECT_TRUE(read->claims[0].as_written.empty());
+  EXPECT_EQ(read->claims[2].claim.contradicted_by, "P11 Fig. 8");
+  const ClaimOutcome& second = read->claims[2].as_written.at(0);
+  EXPECT_EQ(second.claim.criterion, ClaimCriterion::kMean);
+  EXPECT_EQ(second.claim.at_most, 0.5);
+  EXPECT_FALSE(second.claim.at_least);
+  EXPECT_EQ(second.recordings, all.claims[2].as_written.at(0).recordings);
+  EXPECT_EQ(second.range(), all.claims[2].as_written.at(0).range());
+  EXPECT_EQ(second.verdict(), ClaimVerdict::kUndecided);
   EXPECT_EQ(read->not_applicable.at(0).reason, "no sound");
 }
 
@@ -324,6 +336,13 @@ INSTANTIATE_TEST_SUITE_P(
                "'claims[0].values' is missing"},
         Damage{"published", [](Json& j) { j["claims"][0]["published"] = "all"; },
                "'claims[0].published' is string"},
+        Damage{"no_criterion", [](Json& j) { j["claims"][2]["as_written"]["judged_by"] = "all"; },
+               "'claims[2].as_written.judged_by' is no criterion"},
+        Damage{"chance_range",
+               [](Json& j) { j["claims"][2]["as_written"]["chance_range"] = {1.0}; },
+               "'claims[2].as_written.chance_range' has 1 entries"},
+        Damage{"second_verdict", [](Json& j) { j["claims"][2]["as_written"]["verdict"] = "holds"; },
+               "'claims[2].as_written.verdict' is 'holds'"},
         Damage{"not_applicable", [](Json& j) { j["not_applicable"][0].erase("reason"); },
                "'not_applicable[0].reason'"}),
     [](const auto& test) { return test.param.name; });

@@ -372,6 +372,18 @@ export interface ClaimReport {
   reason: string;
   /** Share of the values for which it holds. */
   share: number;
+  /** The figure of its paper that contradicts it. */
+  contradicted_by?: string;
+  as_written?: WrittenClaim;
+}
+
+/** The second measure of a claim, which follows the words of its text. */
+export interface WrittenClaim {
+  verdict: "holds" | "holds, but so does chance" | "compatible" | "compatible, but no narrower than chance" | "mostly" | "not determined" | "fails" | "cannot be decided here";
+  /** Why it cannot be decided, or "". */
+  reason: string;
+  /** The measured quantity, the bounds, the mean, the ranges and the share. */
+  summary: string;
 }
 
 /** A metric at one value of the setting. */

@@ -106,8 +106,15 @@ function claimRow(claim: ClaimReport): HTMLElement {
     element("td", { class: "number" }, [readable(claim.published)]),
     element("td", { class: "number" }, hereWords(claim.values)),
     element("td", { class: "number" }, chanceWords(claim)),
-    element("td", {}, [shareBar(claim)]),
+    element("td", {}, [shareBar(claim), ...secondWords(claim)]),
   ]);
+}
+
+/** The second measure, and the figure that contradicts the claim. */
+function secondWords({ as_written: second, contradicted_by: figure }: ClaimReport): Child[] {
+  const lines = second ? [`as written: ${second.verdict}`, second.reason, second.summary] : [];
+  const words = [lines.filter((line) => line !== "").join("; "), figure ? `contradicted by ${figure}` : ""];
+  return words.filter((line) => line !== "").map((line) => element("span", { class: "measured" }, [line]));
 }
 
 function bound(claim: ClaimReport): string {
@@ -162,6 +169,9 @@ function claimsTable(claims: ClaimReport[]): Table {
     "verdict",
     "reason",
     "share",
+    "as_written",
+    "as_written_summary",
+    "contradicted_by",
     "values",
   ];
   const rows = claims.map((claim) => [
@@ -184,6 +194,9 @@ function claimsTable(claims: ClaimReport[]): Table {
     claim.verdict ?? null,
     claim.reason ?? null,
     claim.share,
+    claim.as_written?.verdict ?? null,
+    claim.as_written?.summary ?? null,
+    claim.contradicted_by ?? null,
     claim.values.join(" "),
   ]);
   return { columns, rows };
