@@ -1,23 +1,16 @@
 # Options of the wings without long loops, and of the program.
 
-# Where speed is irrelevant, a release is optimized little.
-set(SOMATO_LITTLE_OPTIMIZATION $<$<CONFIG:Release>:-O1>)
-
-# For tests, these wings are not optimized at all except in a release: that would take longer than the
-# tests of these wings.
+# In a release they are optimized little: more takes a third of their compilation, 50 s of processors, and they call
+# the wings with long loops for what takes long. For tests, they are not optimized at all except in a release: that
+# would take longer than the tests of these wings.
 option(SOMATO_BUILD_FOR_TESTS "Optimize only the wings with long loops, except in a release" ${SOMATO_BUILD_TESTS})
-set(SOMATO_OPTIMIZATION_OF_OTHERS "")
+set(SOMATO_OPTIMIZATION_OF_OTHERS $<$<CONFIG:Release>:-O1>)
 if(SOMATO_BUILD_FOR_TESTS)
-  set(SOMATO_OPTIMIZATION_OF_OTHERS $<$<NOT:$<CONFIG:Release>>:-O0>)
+  list(APPEND SOMATO_OPTIMIZATION_OF_OTHERS $<$<NOT:$<CONFIG:Release>>:-O0>)
 endif()
 
-# g++ 14 refuses precompiled headers that are optimized unlike their users. somato_headers serves
-# the code that is optimized little, somato_optimized_headers the wings with long loops. The other wings
-# are like the latter in a release, and like the former otherwise.
-set(SOMATO_HEADERS_OF_OTHERS somato_headers)
-if(CMAKE_BUILD_TYPE STREQUAL "Release")
-  set(SOMATO_HEADERS_OF_OTHERS somato_optimized_headers)
-endif()
+# g++ 14 refuses precompiled headers that are optimized unlike their users: somato_headers serves
+# the code that is optimized little, somato_optimized_headers the wings with long loops.
 
 # somato_link_optimized_templates(PROGRAM): of the functions that several sources instantiate, a linker keeps the
 # first. In a program whose first sources are not optimized, those of strings and vectors would not be either: an

@@ -148,9 +148,13 @@ std::vector<double> ReferenceSom::activity(std::span<const double> input) const 
 }
 
 void ReferenceSom::learn(std::span<const double> input, double learning_rate, double radius) {
-  const std::size_t center = winner(input);
+  learn_at(winner(input), input, learning_rate, radius);
+}
+
+void ReferenceSom::learn_at(std::size_t winner, std::span<const double> input, double learning_rate,
+                            double radius) {
   for (std::size_t neuron = 0; neuron < weights_.rows(); ++neuron) {
-    const double gain = learning_rate * neighbourhood(center, neuron, radius);
+    const double gain = learning_rate * neighbourhood(winner, neuron, radius);
     for (std::size_t d = 0; d < input.size(); ++d) {
       weights_(neuron, d) += gain * (input[d] - weights_(neuron, d));
     }

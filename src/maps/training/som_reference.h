@@ -40,6 +40,10 @@ class ReferenceSom {
   /// dot-product map.
   void learn(std::span<const double> input, double learning_rate, double radius);
 
+  /// The same with a given winner: where two neurons are equally near, rounding decides which wins.
+  void learn_at(std::size_t winner, std::span<const double> input, double learning_rate,
+                double radius);
+
   /// One epoch: each weight becomes the weighted mean of the inputs.
   void learn_batch(const std::vector<std::vector<double>>& inputs, double radius);
 

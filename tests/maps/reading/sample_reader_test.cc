@@ -91,7 +91,7 @@ TEST(SampleReaderThreads, ReadsWhatIsReadFromSingleSamples) {
         const std::size_t size = 1 + random.below(12);
         const Samples learned = testing::random_samples(20, size, sparse, random);
         const Som som = train_som(parameters, learned).value();
-        const Samples others = testing::random_samples(70, size, sparse, random);
+        const Samples others = testing::random_samples(30, size, sparse, random);
         expect_single_readings(som, others, random, testing::name_of(variant));
         expect_single_readings(som, learned, random, testing::name_of(variant) + ", learned");
       }

@@ -59,6 +59,30 @@ inline std::vector<Variant> all_variants() {
   return variants;
 }
 
+/// Kinds for costly laws, a third of all: every two values of different properties that meet in all
+/// kinds meet in one of these. Each shape of the Euclidean distance has both topologies, one with
+/// each lattice; the two shapes of another similarity share these.
+inline std::vector<Variant> variants_in_pairs() {
+  std::vector<Variant> variants;
+  std::size_t number = 0;
+  for (const Similarity similarity : all_similarities()) {
+    const auto shapes = shapes_with(similarity);
+    const bool is_euclidean = similarity == Similarity::kEuclidean;
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+      const bool is_crossed = (number + (is_euclidean ? s : 0)) % 2 == 1;
+      for (const Topology topology : {Topology::kPlane, Topology::kTorus}) {
+        const bool is_torus = topology == Topology::kTorus;
+        if (!is_euclidean && is_torus != (s % 2 == 1)) continue;
+        const bool is_hexagonal = is_torus != is_crossed;
+        variants.push_back({is_hexagonal ? Lattice::kHexagonal : Lattice::kRectangular, topology,
+                            similarity, shapes[s]});
+      }
+    }
+    ++number;
+  }
+  return variants;
+}
+
 /// The kinds that can train by inner products.
 inline std::vector<Variant> variants_by_products() {
   std::vector<Variant> variants = all_variants();

@@ -46,7 +46,7 @@ std::vector<std::size_t> range(std::size_t begin, std::size_t end) {
 
 TEST(BatchTrainingThreads, IsTheSameBitsHoweverSamplesArePartedAndOnEveryInstructionSet) {
   const Samples samples = noise(300, 21, 1);
-  for (const testing::Variant& variant : testing::all_variants()) {
+  for (const testing::Variant& variant : testing::variants_in_pairs()) {
     const Som start = untrained(variant, samples);
     Som whole = start;
     const auto winners = batch_epoch(whole, samples, 2.0, 1);

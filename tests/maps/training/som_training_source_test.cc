@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "base/core/read_ahead.h"
 #include "base/support/instruction_sets.h"
 #include "maps/support/random_maps.h"
@@ -29,8 +31,9 @@ void expect_same(const Som& som, const Som& expected) {
 
 TEST(SomTrainingThread, FromASourceGivesTheSameBitsHoweverItIsParted) {
   Random random(71);
-  for (int round = 0; round < 4; ++round) {
-    for (const auto& variant : testing::all_variants()) {
+  bool reads_ahead = false;
+  for (int round = 0; round < 2; ++round) {
+    for (const auto& variant : testing::variants_in_pairs()) {
       const Samples samples =
           testing::random_samples(1 + random.below(60), 1 + random.below(20), false, random);
       const SomParameters p = batch(variant, random);
@@ -40,11 +43,14 @@ TEST(SomTrainingThread, FromASourceGivesTheSameBitsHoweverItIsParted) {
           SCOPED_TRACE(testing::name_of(variant) + " " + std::to_string(most) + " " +
                        std::to_string(threads));
           SamplesInMemory source(samples, most);
-          expect_same(train_som(p, source, {threads, {}}).value(), expected);
-          ReadAhead ahead(source);
-          expect_same(train_som(p, ahead, {threads, {}}).value(), expected);
+          std::optional<ReadAhead> ahead;
+          if (reads_ahead) ahead.emplace(source);
+          SampleSource& read = ahead ? static_cast<SampleSource&>(*ahead) : source;
+          expect_same(train_som(p, read, {threads, {}}).value(), expected);
+          reads_ahead = !reads_ahead;
         }
       }
+      reads_ahead = !reads_ahead;  // the number of cases is even
     }
   }
 }

@@ -77,7 +77,7 @@ TEST_F(Checkpoints, OfOneNumberOfProcessesContinueOnAnotherWithTheSameBits) {
   std::size_t number = 0;
   for (const bool sparse : {false, true}) {
     const Samples samples = noise_for_checkpoints(sparse, 23);
-    for (const testing::Variant& variant : testing::all_variants()) {
+    for (const testing::Variant& variant : testing::variants_in_pairs()) {
       SomParameters p = parameters_for(variant, initials[number % initials.size()]);
       p.tolerance = number % 2 == 0 ? 0.0 : 0.01;
       p.patience = 2;

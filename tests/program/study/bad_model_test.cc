@@ -1,4 +1,5 @@
 #include "base/archives/checksum.h"
+#include "base/support/sanitized.h"
 #include "program/support/program_test.h"
 
 namespace somato {
@@ -42,7 +43,8 @@ TEST_F(BadModel, CutShortAnywhere) {
 TEST_F(BadModel, AnyFlippedBitIsNoticed) {
   train();
   const std::string whole = read("good.map");
-  for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 60) {
+  constexpr auto kFlips = static_cast<std::size_t>(testing::fewer_if_sanitized(60));
+  for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / kFlips) {
     std::string flipped = whole;
     flipped[at] = static_cast<char>(flipped[at] ^ (1 << at % 8));
     write("bad", flipped);
