@@ -27,6 +27,14 @@ ROOMS_OF_TESTS = {
 }
 OTHER_TESTS = {"support", "hostile"}  # beside the rooms of a wing
 
+# Folders of code that are not rooms, and those of them that may be larger, each with its reason.
+OTHER_FOLDERS = ("bench", "fuzz", "python", "scripts", "tests/house", "tests/peers", "tests/python", "web/src", "web/tests")
+LARGE_FOLDERS = {
+    "bench": "benchmarks, one file each, with the programs that run and compare them",
+    "bench/peers": "one program for each other package and task",
+    "scripts": "./dev, the workflows and the documentation name each script by its path",
+}
+
 
 def files_in(folder):
     return [path for path in folder.iterdir() if path.is_file()]
@@ -106,10 +114,16 @@ def check_programs_of_tests(tree, table):
                 if not re.search(rf"^somato_wing_tests\({wing}\b", listed, re.MULTILINE))
 
 
-def check_pages(tree):
-    folders = (path for folder in ("src", "tests") for path in (tree / "web" / folder).rglob("*") if path.is_dir())
+def check_other_folders(tree):
+    folders = (path for top in OTHER_FOLDERS for path in (tree / top, *(tree / top).rglob("*"))
+               if path.is_dir() and path.name != "__pycache__")
     for folder in folders:
-        yield from crowded(folder, folder.relative_to(tree).as_posix())
+        name = folder.relative_to(tree).as_posix()
+        problems = crowded(folder, name)
+        if name not in LARGE_FOLDERS:
+            yield from problems
+        elif not problems:
+            yield f"{name}: at most {MOST_FILES} files; remove it from LARGE_FOLDERS of check_rooms.py"
 
 
 def small_units(tree):
@@ -132,7 +146,7 @@ def check(tree):
     table = rooms.read(tree)
     problems = [*check_sizes(tree, table), *check_folders(tree, table), *check_readmes(tree, table),
                 *check_tests(tree, table), *check_places_of_tests(tree, table), *check_programs_of_tests(tree, table),
-                *check_pages(tree)]
+                *check_other_folders(tree)]
     shown = (tree / "ARCHITECTURE.md").read_text(encoding="utf-8")
     if rooms.markdown(table) not in shown:
         problems.append("ARCHITECTURE.md: its tables are not those of src/rooms.json; run scripts/check_rooms.py --fix")

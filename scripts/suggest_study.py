@@ -145,10 +145,10 @@ def concatenated(data_set, options):
 def with_protocol(path, data_set, folder):
     """The study with the protocol by which all are compared."""
     text = path.read_text(encoding="utf-8")
-    keys = "protocols|groups|folds|label|labels|order|within|individual"
+    keys = "protocols|groups|folds|fold_choice|label|labels|order|within|individual"
     text = re.sub(rf"^({keys}) = .*\n", "", text, flags=re.MULTILINE)
     study = (f'[study]\nlabel = "{data_set.label}"\nprotocols = ["{data_set.protocol}"]\n' +
-             ("folds = 5\n" if data_set.protocol == "k_folds" else ""))
+             ('folds = 5\nfold_choice = "interleaved"\n' if data_set.protocol == "k_folds" else ""))
     changed = folder / path.name
     changed.write_text(text.replace("[study]\n", study), encoding="utf-8")
     return changed

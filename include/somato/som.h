@@ -10,6 +10,7 @@
 #include "somato/maps/contributions.h"
 #include "somato/maps/labels.h"
 #include "somato/maps/layers.h"
+#include "somato/maps/measured_size.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_features.h"
 #include "somato/maps/som_learner.h"

@@ -9,6 +9,7 @@
 #include "explore/device.h"
 #include "explore/device_scan.h"
 #include "flags/commands.h"
+#include "hardware/device_files/device_file.h"
 #include "hardware/devices/device_io.h"
 #include "hardware/devices/sensor_reader.h"
 #include "somato/recording/element_ranges.h"
@@ -232,6 +233,21 @@ Result<void> run_check(const Arguments& arguments) {
   return {};
 }
 
+std::vector<KeySection> key_sections_of_devices() {
+  return {
+      {"Device files",
+       "A hand or probe at serial lines ([your hand](../your-hand.md)). These keys stand before "
+       "the tables:",
+       {key_table<devices::DeviceSettings>("device"),
+        key_table<devices::ServoLine>("`[servos]`",
+                                      "The lines, the servos, the sensors and the safety:"),
+        key_table<devices::ServoSettings>("`[servo.NAME]`"),
+        key_table<devices::FrameLine>("`[frames]`"),
+        key_table<devices::SensorSettings>("`[sensor.NAME]`"),
+        key_table<devices::MicrophoneSettings>("`[microphone]`"),
+        key_table<devices::SafetySettings>("`[safety]`")}}};
+}
+
 }  // namespace
 
 Command device_check_command() {
@@ -244,7 +260,9 @@ Command device_check_command() {
             "rate",
             false, false}},
           {},
-          run_check};
+          run_check,
+          {},
+          key_sections_of_devices};
 }
 
 }  // namespace somato::program

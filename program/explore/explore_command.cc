@@ -20,7 +20,9 @@
 #include "recordings/file/growing_recording.h"
 #include "som/data.h"
 #include "somato/bodies/exploring.h"
+#include "somato/bodies/object_table.h"
 #include "somato/simulation/simulated_explorer.h"
+#include "somato/simulation/simulation_parameters.h"
 #include "terminal/still_elements.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
@@ -315,6 +317,22 @@ Result<void> run_explore(const Arguments& arguments) {
   return explore_into(*file, request);
 }
 
+std::vector<KeySection> key_sections_of_exploring() {
+  return {
+      {"Settings of exploring",
+       "Tables of the file that `somato explore --settings` reads ([exploring](../exploring.md)). "
+       "None of these numbers is in the papers, unless a line states so.",
+       {key_table<SimulationParameters>("`[simulation]`"), key_table<ExplorationPlan>("`[plan]`"),
+        key_table<GuardedGrasp>("`[grasp]`"), key_table<Closing>("`[closing]`"),
+        key_table<TextureProbeParameters>("`[texture_probe]`"),
+        key_table<StrokeParameters>("`[stroke]`"),
+        key_table<HardnessProbeParameters>("`[hardness_probe]`"),
+        key_table<PressParameters>("`[press]`")}},
+      {"Objects to explore",
+       "The tables of the file that `somato explore --objects` reads ([objects](../objects.md)).",
+       {key_table<ObjectLine>("`[object]`"), key_table<Material>("`[material.NAME]`")}}};
+}
+
 }  // namespace
 
 Command explore_command() {
@@ -343,7 +361,8 @@ Command explore_command() {
        output_flag("-o,--output", "File for the recording", true)},
       SimulationParameters::declarations().infos(),
       run_explore,
-      {"simulation"}};
+      {"simulation"},
+      key_sections_of_exploring};
   for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
   return command;
 }

@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include "base/files/toml_file.h"
+#include "somato/bodies/material.h"
+
 namespace somato::program {
 namespace {
 
@@ -11,6 +14,28 @@ void add_parameters(const std::string& table, const Parameters& /*parameters*/,
   for (const ParameterInfo& info : Parameters::declarations().infos()) {
     all[table + "." + info.name] = info;
   }
+}
+
+bool declares_things(const Table::Entry& entry) {
+  return entry.name == "object" || entry.name == "material";
+}
+
+// The path of a file is what precedes the line in a location.
+std::string file_of(const std::string& where) {
+  return where.substr(0, where.rfind(':'));
+}
+
+Result<void> read_things(const Table& things, ExploreTable& read) {
+  if (things.entries.empty()) return {};
+  const Table::Entry& first = things.entries.front();
+  if (!read.explore.objects.empty()) {
+    return fail(ErrorKind::kUsage, "[explore] has 'objects' and a table '" + first.name + "'",
+                first.where, "remove one of them");
+  }
+  SOMATO_TRY(auto table, object_table_of(things, file_of(things.where), declared_materials()));
+  read.things = std::move(table);
+  read.things_text = to_toml(things);
+  return {};
 }
 
 }  // namespace
@@ -37,8 +62,11 @@ Result<ExploringBody> read_body(const Arguments& arguments) {
 Result<ExploreTable> read_explore_table(const Table& table) {
   Table keys{table.where, {}};
   Table tables{table.where, {}};
+  Table things{table.where, {}};
   for (const Table::Entry& entry : table.entries) {
-    (std::holds_alternative<Table>(entry.content) ? tables : keys).entries.push_back(entry);
+    const bool is_table = std::holds_alternative<Table>(entry.content);
+    Table& same = declares_things(entry) ? things : is_table ? tables : keys;
+    same.entries.push_back(entry);
   }
   if (!keys.find("body")) {
     return fail(ErrorKind::kUsage, "[explore] requires a body", table.where,
@@ -50,7 +78,9 @@ Result<ExploreTable> read_explore_table(const Table& table) {
                 keys.find("new_objects")->where, "use --test-data instead");
   }
   SOMATO_TRY(auto exploring, read_exploring_parameters(tables));
-  return ExploreTable{std::move(explore), std::move(exploring)};
+  ExploreTable read{std::move(explore), std::move(exploring)};
+  SOMATO_TRY_VOID(read_things(things, read));
+  return read;
 }
 
 std::map<std::string, ParameterInfo> explore_parameters() {
@@ -74,7 +104,7 @@ std::string to_text(const ExploreTable& table) {
          parameters_to_toml(all.plan) + parameters_to_toml(all.grasp) +
          parameters_to_toml(all.closing) + parameters_to_toml(all.texture_probe) +
          parameters_to_toml(all.stroke) + parameters_to_toml(all.hardness_probe) +
-         parameters_to_toml(all.press);
+         parameters_to_toml(all.press) + table.things_text;
 }
 
 }  // namespace somato::program

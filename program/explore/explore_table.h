@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "flags/command_line.h"
+#include "somato/bodies/object_table.h"
 #include "somato/core/parameter.h"
 #include "somato/core/result.h"
 #include "somato/core/value.h"
@@ -29,9 +31,12 @@ struct ExploreParameters {
 struct ExploreTable {
   ExploreParameters explore;
   ExploringParameters exploring;
+  std::optional<ObjectTable> things = {};  ///< Those of [explore.object] and [explore.material].
+  std::string things_text = {};            ///< These tables as TOML; empty without them.
 };
 
-/// Errors (kUsage) with their location: unknown keys, values out of range, no body.
+/// Errors (kUsage) with their location: unknown keys, values out of range, no body, both `objects`
+/// and tables of objects or materials; errors of object_table_of().
 Result<ExploreTable> read_explore_table(const Table& table);
 
 /// The descriptions of its keys, by names such as "explore.explorations" and

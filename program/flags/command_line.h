@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "somato/core/parameter.h"
@@ -57,6 +58,25 @@ class Arguments {
   Result<std::optional<std::size_t>> number(const std::string& name, std::size_t least) const;
 };
 
+/// Keys of a table of a file, or of flags.
+struct KeyTable {
+  std::string title;  ///< Markdown, such as "`[study]`".
+  std::vector<ParameterInfo> keys;
+  std::string text = {};  ///< Markdown before the table, or nothing.
+};
+
+/// A section of the reference: tables of keys that a command reads.
+struct KeySection {
+  std::string title;
+  std::string text;  ///< Markdown.
+  std::vector<KeyTable> tables;
+};
+
+template <typename Parameters>
+KeyTable key_table(std::string title, std::string text = {}) {
+  return {std::move(title), Parameters::declarations().infos(), std::move(text)};
+}
+
 /// A command of the program.
 struct Command {
   std::string name;  ///< One or two words: "run", "som train".
@@ -66,6 +86,8 @@ struct Command {
   std::vector<ParameterInfo> parameters;  ///< Each is a flag: radius_start is --radius-start.
   std::function<Result<void>(const Arguments&)> run;
   std::vector<std::string> tables = {};  ///< The tables of the reference with the parameters.
+  /// The sections of the reference about the keys that the command, and others with it, read.
+  std::vector<KeySection> (*key_sections)() = nullptr;
 };
 
 /// The key of a flag in Arguments: that of "-o,--output" is "output".

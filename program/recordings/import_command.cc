@@ -294,18 +294,27 @@ Result<void> write_imported(const Arguments& arguments, Result<Imported> importe
 // A format that a description completes; data sets need none.
 struct DescribedFormat {
   const char* name;
+  bool has_patterns;  // It takes --files and --other-files.
   Result<void> (*run)(const Arguments& arguments);
 };
 
 constexpr DescribedFormat kDescribed[] = {
-    {"csv", [](const Arguments& a) { return write_imported(a, import_csv(a)); }},
-    {"mcap",
+    {"csv", false, [](const Arguments& a) { return write_imported(a, import_csv(a)); }},
+    {"mcap", true,
      [](const Arguments& a) { return write_imported(a, import_described(a, import_mcap_trials)); }},
-    {"bag", run_bag_import},
-    {"yarp", [](const Arguments& a) { return write_imported(a, import_yarp(a)); }},
-    {"wav",
+    {"bag", false, run_bag_import},
+    {"yarp", true, [](const Arguments& a) { return write_imported(a, import_yarp(a)); }},
+    {"wav", true,
      [](const Arguments& a) { return write_imported(a, import_described(a, import_wav_trials)); }},
 };
+
+std::vector<std::string> formats_with_patterns() {
+  std::vector<std::string> names;
+  for (const DescribedFormat& format : kDescribed) {
+    if (format.has_patterns) names.emplace_back(format.name);
+  }
+  return names;
+}
 
 std::vector<std::string> formats() {
   std::vector<std::string> names;
@@ -340,6 +349,20 @@ std::vector<ParameterInfo> import_parameters() {
   return infos;
 }
 
+std::vector<KeySection> key_sections_of_imports() {
+  return {
+      {"Descriptions of CSV files",
+       "The import of CSV files as a recording ([your data](../your-data.md)): a table "
+       "`[import]`, and a table `[[channel]]` for each channel.",
+       {key_table<CsvTrials>("`[import]`"), key_table<CsvChannel>("`[[channel]]`")}},
+      {"Descriptions of bags",
+       "The import of bags of ROS 2 as a recording ([your robot](../your-robot.md)): a table "
+       "`[import]`, a table `[[channel]]` for each channel and a table `[[label]]` for each "
+       "label.",
+       {key_table<BagTrials>("`[import]` of bags"), key_table<BagChannel>("`[[channel]]` of bags"),
+        key_table<BagLabel>("`[[label]]` of bags")}}};
+}
+
 }  // namespace
 
 Command import_command() {
@@ -347,9 +370,8 @@ Command import_command() {
       "import",
       "Import a folder of recorded files as a recording",
       {{"FORMAT",
-        fmt::format(
-            "Format of the files: {}; mcap, wav and yarp take the flags --files and --other-files",
-            fmt::join(formats(), ", ")),
+        fmt::format("Format of the files: {}; {} take the flags --files and --other-files",
+                    fmt::join(formats(), ", "), fmt::join(formats_with_patterns(), ", ")),
         true, false, Role::kValue, formats},
        {"DIR", "Folder with the files, also in subfolders; for csv and bag also a single file",
         true}},
@@ -366,7 +388,8 @@ Command import_command() {
         "types"}},
       import_parameters(),
       run_import,
-      {"import"}};
+      {"import"},
+      key_sections_of_imports};
 }
 
 }  // namespace somato::program

@@ -2,23 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
 
+#include "base/core/contains.h"
 #include "somato/core/parameter.h"
 #include "somato/core/value.h"
 
 namespace somato::program {
 namespace {
 
-constexpr std::array kEndings{"svg", "pdf", "png", "tex", "csv", "txt", "bib"};
-constexpr std::array kOfPictures{"svg", "pdf", "png"};
-
-template <typename Names>
-bool contains(const Names& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+const std::vector<std::string> kEndings{"svg", "pdf", "png", "tex", "csv", "txt", "bib"};
+const std::vector<std::string> kOfPictures{"svg", "pdf", "png"};
 
 // The figures of several systems begin with the name of their system.
 Error unknown_figure(const std::string& name, const std::vector<std::string>& known) {

@@ -4,7 +4,7 @@
 
 #include "base/files/whole_file.h"
 #include "flags/output_folder.h"
-#include "studies/reproduction/part_file.h"
+#include "studies/run/part_file.h"
 
 namespace somato::program {
 namespace {

@@ -10,7 +10,7 @@
 #include "flags/output_folder.h"
 #include "flags/result_output.h"
 #include "reproduce/part.h"
-#include "studies/reproduction/merged_parts.h"
+#include "studies/run/merged_parts.h"
 #include "terminal/folder_lock.h"
 #include "terminal/wording.h"
 

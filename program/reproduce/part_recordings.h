@@ -11,7 +11,7 @@
 #include "reproduce/reproduction_recordings.h"
 #include "somato/core/result.h"
 #include "somato/studies/reproduction.h"
-#include "studies/reproduction/reproduction_run.h"
+#include "studies/run/reproduction_run.h"
 
 namespace somato::program {
 

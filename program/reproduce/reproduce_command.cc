@@ -18,10 +18,12 @@
 #include "reproduce/part_recordings.h"
 #include "reproduce/reproduction_table.h"
 #include "som/data.h"
+#include "somato/studies/claim.h"
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
-#include "studies/reproduction/reproduction_run.h"
+#include "somato/studies/study_parameters.h"
 #include "studies/results/saved_model.h"
+#include "studies/run/reproduction_run.h"
 #include "studies/run/winners_picture.h"
 #include "terminal/terminal.h"
 
@@ -223,6 +225,17 @@ Result<void> run_reproduce(const Arguments& arguments) {
   return ran ? Result<void>() : fail(how_to_go_on(std::move(ran.error())));
 }
 
+std::vector<KeySection> key_sections_of_reproduction() {
+  return {
+      {"Files of `somato reproduce`",
+       "Tables in addition to those of a study, and the question of a file about several systems "
+       "([reproduction](reproduction.md)). `[variation.NAME]` has the tables and keys that it "
+       "changes, and `systems`, the list of systems to which it applies. \"automatic\" means "
+       "none here.",
+       {key_table<ExploreParameters>("`[explore]`"), key_table<Claim>("`[[claim]]`"),
+        key_table<QuestionParameters>("`[question]`")}}};
+}
+
 }  // namespace
 
 Command reproduce_command() {
@@ -247,7 +260,9 @@ Command reproduce_command() {
        threads_flag(),
        json_flag()},
       {},
-      run_reproduce};
+      run_reproduce,
+      {},
+      key_sections_of_reproduction};
 }
 
 }  // namespace somato::program

@@ -26,6 +26,7 @@ Result<ObjectTable> things_for(const ExploreTable& table, bool new_objects) {
     return lucs3_new_objects(materials).map(
         [](std::vector<Object> objects) { return ObjectTable{std::move(objects), {}}; });
   }
+  if (table.things) return *table.things;
   const std::string& objects = table.explore.objects;
   if (objects.empty()) return default_things(table.explore.body);
   return find_object_table(objects, materials);

@@ -12,7 +12,7 @@
 #include "somato/core/result.h"
 #include "somato/recording/format.h"
 #include "somato/recording/recording.h"
-#include "studies/reproduction/reproduction_run.h"
+#include "studies/run/reproduction_run.h"
 
 namespace somato::program {
 

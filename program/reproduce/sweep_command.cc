@@ -11,10 +11,13 @@
 #include "flags/output.h"
 #include "flags/result_output.h"
 #include "recordings/study_data.h"
+#include "reproduce/inference_run.h"
+#include "reproduce/inference_table.h"
 #include "reproduce/sweep_run.h"
 #include "reproduce/sweep_table.h"
 #include "som/data.h"
 #include "somato/studies/own_systems.h"
+#include "studies/sweep/sweep.h"
 #include "studies/sweep/sweep_picture.h"
 #include "studies/sweep/sweep_results.h"
 #include "terminal/wording.h"
@@ -51,12 +54,26 @@ Result<void> check_points(const SweepRequest& request) {
   return {};
 }
 
+Result<void> read_target_file(const Arguments& arguments, SweepRequest& request) {
+  if (!arguments.has("targets")) return {};
+  SOMATO_TRY(const auto file, read_toml(arguments.text("targets")));
+  SOMATO_TRY(auto targets, read_targets(file));
+  SOMATO_TRY_VOID(add_targets(targets, request.sweep));
+  request.targets = std::move(targets);
+  return {};
+}
+
 Result<void> read_sweep_files(const Arguments& arguments, SweepRequest& request) {
   SOMATO_TRY(const auto file, read_toml(arguments.text("over")));
   SOMATO_TRY(const auto sweep, read_sweep(file));
-  SOMATO_TRY(const auto system, read_file_or_own(arguments.text("SYSTEM")));
-  SOMATO_TRY(auto planned, plan_sweep(sweep, system, explore_defaults()));
+  std::vector<NamedFile> systems;
+  for (const std::string& name : arguments.lists.at("SYSTEM")) {
+    SOMATO_TRY(auto system, read_file_or_own(name));
+    systems.push_back(std::move(system));
+  }
+  SOMATO_TRY(auto planned, plan_sweep(sweep, systems, explore_defaults()));
   request.sweep = std::move(planned);
+  SOMATO_TRY_VOID(read_target_file(arguments, request));
   request.points = sweep_points(sweep);
   request.pairs.pairs = sweep.sweep.pairs;
   request.pairs.recordings = sweep.sweep.recordings;
@@ -77,6 +94,15 @@ Result<SweepRequest> read_sweep_request(const Arguments& arguments) {
   return request;
 }
 
+// Nothing without targets.
+Result<std::optional<InferenceResults>> inferred_from(const SweepRequest& request,
+                                                      const SweepResults& results) {
+  if (!request.targets) return std::optional<InferenceResults>{};
+  SOMATO_TRY(auto inferred, run_inference(request, results));
+  SOMATO_TRY_VOID(save_inference(request, inferred));
+  return std::optional(std::move(inferred));
+}
+
 Result<void> save_results(const Arguments& arguments, const SweepRequest& request,
                           const SweepResults& results) {
   const std::string path = (request.out / "sweep.json").string();
@@ -84,10 +110,17 @@ Result<void> save_results(const Arguments& arguments, const SweepRequest& reques
   const std::string json = to_json(results);
   SOMATO_TRY_VOID(save_whole(path, json));
   SOMATO_TRY_VOID(save_whole(picture, sweep_picture(results)));
-  print_summary(arguments,
-                part_text(request.part) + sweep_table(results) +
-                    fmt::format("\nWritten: {}, {}\n", path, picture),
-                json);
+  auto inferred = inferred_from(request, results);
+  if (!inferred) return fail(how_to_go_on(std::move(inferred.error())));
+  const std::string written = fmt::format("\nWritten: {}, {}", path, picture);
+  if (*inferred) {
+    print_summary(arguments,
+                  part_text(request.part) + inference_table(**inferred) + written +
+                      fmt::format(", {}\n", (request.out / "inference.json").string()),
+                  to_json(**inferred));
+    return {};
+  }
+  print_summary(arguments, part_text(request.part) + sweep_table(results) + written + "\n", json);
   return {};
 }
 
@@ -98,6 +131,7 @@ Result<void> run_sweep(const Arguments& arguments) {
   for (const char* file : {"sweep.json", "sweep.svg"}) {
     SOMATO_TRY_VOID(check_output((request.out / file).string()));
   }
+  if (request.targets) SOMATO_TRY_VOID(check_output((request.out / "inference.json").string()));
   SOMATO_TRY([[maybe_unused]] const auto lock, sweep.lock());
   if (auto ran = sweep.run(); !ran) return fail(how_to_go_on(std::move(ran.error())));
   SOMATO_TRY(const auto results, sweep.results());
@@ -109,22 +143,42 @@ Result<void> run_sweep(const Arguments& arguments) {
   return {};
 }
 
+std::vector<KeySection> key_sections_of_sweeps() {
+  return {
+      {"Files of `somato sweep`",
+       "The file of `--over` ([sweeps](sweeps.md)); its other tables change the system, as a "
+       "variation does.",
+       {key_table<SweepParameters>("`[sweep]`"), key_table<UnknownParameters>("`[unknown.NAME]`"),
+        key_table<InferenceParameters>("`[inference]`",
+                                       "The file of `--targets` ([inference](inference.md))."),
+        key_table<Target>("`[[target]]`")}}};
+}
+
 }  // namespace
 
 Command sweep_command() {
-  return {"sweep",
-          "Run a system over a design of its unknown settings, and report where its claims hold",
-          {{"SYSTEM", "TOML file of a system with claims, or a name listed by 'somato systems'",
-            true, false, Role::kInput, own_file_names}},
-          {input_flag("--over", "TOML file with the unknowns and the design of the points", true),
-           part_flag("point"), given_recordings_flag(), test_recording_flag(),
-           folder_flag("-o,--out",
-                       "Folder for sweep.json, sweep.svg and the results of parts. Default: "
-                       "out/sweep",
-                       {"sweep.json", "sweep.svg"}),
-           threads_flag(), json_flag()},
-          {},
-          run_sweep};
+  return {
+      "sweep",
+      "Run systems over a design of their unknown settings, and report where their claims hold",
+      {{"SYSTEM",
+        "TOML file of a system with claims, or a name listed by 'somato systems'; several "
+        "systems on the same body share each point",
+        true, true, Role::kInput, own_file_names}},
+      {input_flag("--over", "TOML file with the unknowns and the design of the points", true),
+       input_flag("--targets",
+                  "TOML file with observed values, from which the unknowns are inferred: the "
+                  "points are draws from a prior, and the nearest are accepted"),
+       part_flag("point"), given_recordings_flag(), test_recording_flag(),
+       folder_flag(
+           "-o,--out",
+           "Folder for sweep.json, sweep.svg, inference.json and the results of parts. Default: "
+           "out/sweep",
+           {"sweep.json", "sweep.svg", "inference.json"}),
+       threads_flag(), json_flag()},
+      {},
+      run_sweep,
+      {},
+      key_sections_of_sweeps};
 }
 
 }  // namespace somato::program

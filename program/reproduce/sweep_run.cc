@@ -24,7 +24,7 @@ Result<void> SweepRun::make_folders() const {
 Result<void> SweepRun::run() {
   kept_.look();
   SOMATO_TRY(auto missing, missing_points());
-  SweepProgress progress(request_.sweep.system, missing.size());
+  SweepProgress progress(names_of(request_.sweep), missing.size());
   for (const std::size_t number : missing) {
     auto ran = run_point(request_.points[number], progress);
     if (!ran) return ran;

@@ -11,6 +11,7 @@
 #include "reproduce/part_recordings.h"
 #include "reproduce/sweep_progress.h"
 #include "somato/core/result.h"
+#include "studies/inference/targets.h"
 #include "studies/sweep/sweep_plan.h"
 #include "studies/sweep/sweep_results.h"
 #include "terminal/folder_lock.h"
@@ -24,6 +25,7 @@ struct SweepRequest {
   PairsRequest pairs;
   Part part;
   std::filesystem::path out;
+  std::optional<Targets> targets = {};  ///< Observations from which the unknowns are inferred.
 };
 
 /// Runs the points of one part, and combines the results of all parts.

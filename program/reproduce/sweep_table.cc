@@ -48,7 +48,7 @@ std::string sweep_table(const SweepResults& results) {
   std::string text = fmt::format(
       "{}: {} ({}) of {}, {} at each\n\n"
       "  {:>6}  {:>6}  claim, and below it {}\n",
-      results.sweep.system, counted(results.points.size(), "point"),
+      names_of(results.sweep), counted(results.points.size(), "point"),
       choice_name(sweep.sweep.design), counted(sweep.unknowns.size(), "unknown"),
       counted(sweep.sweep.pairs, "pair"), "holds", "pairs",
       one ? "the change of the share of pairs by each unknown"

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "flags/commands.h"
@@ -12,26 +13,49 @@
 #include "som/map_and_rows.h"
 #include "som/measures_flag.h"
 #include "som/processes.h"
+#include "somato/maps/clusters.h"
+#include "somato/maps/som_measures.h"
 
 namespace somato::program {
 namespace {
 
-Result<double> accuracy(const MapAndRows& both, std::size_t threads) {
+// A winner with a label names its samples; the other samples are searched among labelled neurons.
+Result<double> accuracy(const MapAndRows& both, const std::vector<std::size_t>& winners,
+                        std::size_t threads) {
   const SomModel& model = both.model;
   const Classes& classes = both.rows.classes;
-  PreparedRows prepared(model, both.rows);
-  std::size_t row = 0;
   double right = 0.0;
-  return for_each_part(
-             prepared.samples(),
-             [&](const Samples& part) -> Result<void> {
-               for (const std::size_t predicted : model.labels.classify(model.som, part, threads)) {
-                 const std::string& name = classes.names[classes.of_sample[row++]];
-                 right += model.classes[predicted] == name ? 1.0 : 0.0;
-               }
-               return {};
-             })
-      .map([&] { return right / static_cast<double>(row); });
+  const auto count = [&](std::size_t row, std::size_t predicted) {
+    right += model.classes[predicted] == classes.names[classes.of_sample[row]] ? 1.0 : 0.0;
+  };
+  std::size_t unnamed = 0;
+  for (std::size_t row = 0; row < winners.size(); ++row) {
+    const std::optional<std::size_t> label = model.labels[winners[row]];
+    if (label) {
+      count(row, *label);
+    } else {
+      ++unnamed;
+    }
+  }
+  const auto share = [&] { return right / static_cast<double>(winners.size()); };
+  if (unnamed == 0) return share();
+  PreparedRows prepared(model, both.rows);
+  std::size_t first = 0;
+  return for_each_part(prepared.samples(),
+                       [&](const Samples& part) -> Result<void> {
+                         std::vector<std::size_t> places;
+                         for (std::size_t i = 0; i < part.count(); ++i) {
+                           if (!model.labels[winners[first + i]]) places.push_back(i);
+                         }
+                         const auto found =
+                             model.labels.classify(model.som, part.subset(places), threads);
+                         for (std::size_t i = 0; i < found.size(); ++i) {
+                           count(first + places[i], found[i]);
+                         }
+                         first += part.count();
+                         return {};
+                       })
+      .map(share);
 }
 
 Result<void> add_label_measures(const MapAndRows& both, const SomQuality& quality,
@@ -42,7 +66,7 @@ Result<void> add_label_measures(const MapAndRows& both, const SomQuality& qualit
   table.entries.push_back(entry("individuals_apart", individuals_apart(quality.winners, classes)));
   table.entries.push_back(entry("areas_connected", areas.connected(classes)));
   if (both.model.classes.empty()) return {};
-  return accuracy(both, threads).map([&](double share) {
+  return accuracy(both, quality.winners, threads).map([&](double share) {
     table.entries.push_back(entry("accuracy", share));
   });
 }
@@ -84,6 +108,14 @@ Result<void> quality(const Arguments& arguments) {
   return processes.leave(measure(arguments, processes.group()));
 }
 
+std::vector<KeySection> key_sections_of_measures() {
+  return {{"Measures and clusters of maps",
+           "Flags of `somato som quality` and `somato som cluster`; they are not keys of a file. "
+           "[measures.md](../mathematics/measures.md) gives the definitions; none of these numbers "
+           "is in the papers.",
+           {key_table<MeasureParameters>("measures"), key_table<ClusterParameters>("clusters")}}};
+}
+
 }  // namespace
 
 Command som_quality_command() {
@@ -98,7 +130,8 @@ Command som_quality_command() {
           std::move(flags),
           MeasureParameters::declarations().infos(),
           quality,
-          {"measures"}};
+          {"measures"},
+          key_sections_of_measures};
 }
 
 }  // namespace somato::program

@@ -20,7 +20,9 @@
 #include "som/map_and_rows.h"
 #include "som/processes.h"
 #include "somato/maps/layers.h"
+#include "somato/maps/measured_size.h"
 #include "somato/maps/refinement.h"
+#include "somato/maps/som_parameters.h"
 #include "somato/maps/som_training.h"
 #include "systems/model/complete_inputs.h"
 #include "terminal/terminal.h"
@@ -140,9 +142,42 @@ Result<void> check_training(const SomParameters& parameters, const RowData& rows
       rows.path, "use --training batch, or a larger --memory");
 }
 
+// Parameters that the command line gives although the size decides them are an error.
+Result<SizeChoice> read_size(const Arguments& arguments, const JoinedProcesses* processes) {
+  SOMATO_TRY(const auto parameters, read_flags<SizeParameters>(arguments));
+  for (const std::string& name : SomParameters::declarations().names()) {
+    const std::string reason = reason_without_effect(parameters.size, name);
+    if (reason.empty() || !arguments.has(flag_of(name).substr(2))) continue;
+    return fail(without_effect(name, reason, flag_of(name)));
+  }
+  if (processes == nullptr || parameters.size == SizeChoice::kByNumber) return parameters.size;
+  return fail(ErrorKind::kUsage, "several processes cannot share the measurement of a size",
+              "--size", "give --rows and --columns, or start one process");
+}
+
+// A measured size needs all rows.
+Result<void> check_size(SizeChoice size, const RowData& rows) {
+  if (size == SizeChoice::kByNumber || rows.in_memory()) return {};
+  return fail(ErrorKind::kSystem,
+              fmt::format("a measured size needs all rows in memory, and {} x {} numbers exceed "
+                          "the memory for rows",
+                          rows.count, rows.size()),
+              rows.path, "give --rows and --columns, or a larger --memory");
+}
+
+Result<SomParameters> sized_parameters(const SomParameters& parameters, SizeChoice size,
+                                       const SomModel& model, const RowData& rows,
+                                       std::size_t threads) {
+  if (size == SizeChoice::kByNumber) return parameters;
+  SOMATO_TRY(auto sized, sized_by_measurement(parameters, model.prepare(*rows.in_memory()),
+                                              {.threads = threads}));
+  return std::move(sized.parameters);
+}
+
 // The part of the command line that does not depend on the rows.
 struct TrainingRequest {
   SomParameters parameters;
+  SizeChoice size = SizeChoice::kByNumber;
   RefinementParameters refinement;
   TrainingOptions options;
 };
@@ -150,7 +185,8 @@ struct TrainingRequest {
 Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses* processes) {
   SOMATO_TRY(const auto parameters, read_som_parameters(arguments));
   SOMATO_TRY(const auto threads, threads_of(arguments, processes));
-  const bool is_batch = parameters.training == Training::kBatch;
+  SOMATO_TRY(const auto size, read_size(arguments, processes));
+  const bool is_batch = parameters.training == Training::kBatch || size == SizeChoice::kMeasured;
   SOMATO_TRY(const auto missing, read_missing(arguments));
   if (missing == MissingFill::kLeaveOut && arguments.has("checkpoint")) {
     return fail(ErrorKind::kUsage, "training that leaves missing values out saves no checkpoints",
@@ -168,7 +204,7 @@ Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses
                 "--standardize", "standardize the rows before, or start one process");
   }
   SOMATO_TRY(const auto refinement, read_refinement(arguments, processes));
-  TrainingRequest request{parameters, refinement, {threads, terminal_progress("training")}};
+  TrainingRequest request{parameters, size, refinement, {threads, terminal_progress("training")}};
   request.options.checkpoint = arguments.text("checkpoint");
   request.options.processes = processes;
   return request;
@@ -313,7 +349,10 @@ Result<void> train_with(const Arguments& arguments, JoinedProcesses* processes) 
   SOMATO_TRY(request.parameters.layers, agreed(read_layers(arguments, rows), processes));
   SOMATO_TRY_VOID(agreed(check_refinement(request.refinement, request.parameters), processes));
   SOMATO_TRY_VOID(agreed(check_refinable(request.refinement, rows), processes));
+  SOMATO_TRY_VOID(check_size(request.size, rows));
   SOMATO_TRY(auto model, agreed(start_on(arguments, request.parameters, rows), processes));
+  SOMATO_TRY(request.parameters, sized_parameters(request.parameters, request.size, model, rows,
+                                                  request.options.threads));
   std::uint64_t steps = 0;
   SOMATO_TRY(auto som, train_map(request, model, rows, steps));
   model.som = std::move(som);
@@ -330,6 +369,21 @@ Result<void> train_with(const Arguments& arguments, JoinedProcesses* processes) 
 Result<void> train(const Arguments& arguments) {
   SOMATO_TRY(const auto processes, Processes::join());
   return processes.leave(train_with(arguments, processes.group()));
+}
+
+std::vector<KeySection> key_sections_of_maps() {
+  return {
+      {"Maps",
+       "Keys of a module of type `som`; those of other types are listed with [them](modules.md).",
+       {key_table<SomParameters>("map")}},
+      {"Measured size of maps",
+       "A flag of `somato som train`; it is no key of a file, in which "
+       "[`suggest`](../suggest.md#size-and-length) writes the size that it measures.",
+       {key_table<SizeParameters>("size")}},
+      {"Refinement of maps by labels",
+       "Further keys of a module of type `som`, and flags of `somato som train`. "
+       "[refinement.md](../mathematics/refinement.md) gives the equations.",
+       {key_table<RefinementParameters>("refinement")}}};
 }
 
 }  // namespace
@@ -349,6 +403,9 @@ Command som_train_command() {
   flags.push_back(threads_flag());
   flags.push_back(memory_flag());
   std::vector<ParameterInfo> parameters = SomParameters::declarations().infos();
+  for (ParameterInfo& info : SizeParameters::declarations().infos()) {
+    parameters.push_back(std::move(info));
+  }
   for (ParameterInfo& info : RefinementParameters::declarations().infos()) {
     parameters.push_back(std::move(info));
   }
@@ -361,7 +418,8 @@ Command som_train_command() {
       std::move(flags),
       std::move(parameters),
       train,
-      {"map", "refinement"}};
+      {"map", "refinement"},
+      key_sections_of_maps};
 }
 
 }  // namespace somato::program

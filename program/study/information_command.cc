@@ -98,6 +98,13 @@ Result<void> run_information(const Arguments& arguments) {
   return {};
 }
 
+std::vector<KeySection> key_sections_of_information() {
+  return {{"Information in the input vectors",
+           "Flags of `somato information`; they are not keys of a file. "
+           "[information.md](information.md) defines the measures.",
+           {key_table<InformationParameters>("information")}}};
+}
+
 }  // namespace
 
 Command information_command() {
@@ -109,7 +116,8 @@ Command information_command() {
            threads_flag(), output_flag("-o,--output", "JSON file for the measures"), json_flag()},
           InformationParameters::declarations().infos(),
           run_information,
-          {"information"}};
+          {"information"},
+          key_sections_of_information};
 }
 
 }  // namespace somato::program

@@ -15,13 +15,15 @@
 #include "reproduce/part.h"
 #include "reproduce/part_recordings.h"
 #include "som/data.h"
+#include "somato/graph/system_description.h"
 #include "somato/recording/format.h"
 #include "somato/recording/layout.h"
 #include "somato/studies/own_systems.h"
 #include "somato/studies/reproduction.h"
 #include "somato/studies/study.h"
-#include "studies/reproduction/reproduction_run.h"
+#include "somato/studies/study_parameters.h"
 #include "studies/results/saved_model.h"
+#include "studies/run/reproduction_run.h"
 #include "studies/run/winners_picture.h"
 #include "study/explanation.h"
 #include "study/study_table.h"
@@ -216,6 +218,18 @@ std::vector<Flag> run_flags() {
   return flags;
 }
 
+std::vector<KeySection> key_sections_of_studies() {
+  return {
+      {"Study files",
+       "A study is a TOML file: the tables `[study]`, `[recording]` and, if needed, "
+       "`[altered.NAME]`, and a system of the tables `[module.NAME]` and, if needed, "
+       "`[[phase]]`. A key that is left out has its default; an unknown key is refused. Values "
+       "are written in TOML notation; \"automatic\" is derived from the data as described for "
+       "the key. A separate page lists the [types of modules](modules.md).",
+       {key_table<StudyParameters>("`[study]`"), key_table<RecordingParameters>("`[recording]`"),
+        key_table<Alteration>("`[altered.NAME]`"), key_table<PhaseDescription>("`[[phase]]`")}}};
+}
+
 }  // namespace
 
 Command run_command() {
@@ -226,7 +240,9 @@ Command run_command() {
             true, false, Role::kInput, own_file_names}},
           run_flags(),
           {},
-          run_study_command};
+          run_study_command,
+          {},
+          key_sections_of_studies};
 }
 
 }  // namespace somato::program

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "studies/results/fold_comparison.h"
 #include "studies/results/main_result.h"
@@ -86,16 +88,25 @@ std::string chance_of(const ProtocolResults& system, const std::string& name) {
   return chance ? fmt::format("{:.3f}", *chance) : std::string();
 }
 
+std::vector<std::string> main_names(const ProtocolResults& system) {
+  std::vector<std::string> names;
+  for (const MetricInfo& info : metric_table()) {
+    if (info.in_run_table && system.find_metric(info.name)) names.emplace_back(info.name);
+  }
+  return names;
+}
+
 // The main metrics, with their value by chance and the nearest-neighbour baseline.
 std::string main_metrics(const ProtocolResults& system) {
-  std::string text =
-      fmt::format("  {:<20} {:<18} {:<10} {}\n", "", "map", "by chance", "nearest neighbour");
-  for (const MetricInfo& info : metric_table()) {
-    const Metric* metric = info.in_run_table ? system.find_metric(info.name) : nullptr;
-    if (metric == nullptr) continue;
+  const std::vector<std::string> names = main_names(system);
+  std::size_t width = 20;
+  for (const std::string& name : names) width = std::max(width, name.size());
+  std::string text = fmt::format("  {:<{}} {:<18} {:<10} {}\n", "", width, "map", "by chance",
+                                 "nearest neighbour");
+  for (const std::string& name : names) {
     std::string row =
-        fmt::format("  {:<20} {:<18} {:<10} {}", info.name, summary(*metric),
-                    chance_of(system, info.name), mean_of(system, "baseline_" + info.name));
+        fmt::format("  {:<{}} {:<18} {:<10} {}", name, width, summary(*system.find_metric(name)),
+                    chance_of(system, name), mean_of(system, "baseline_" + name));
     row.erase(row.find_last_not_of(' ') + 1);
     text += row + "\n";
   }

@@ -97,6 +97,14 @@ std::vector<Flag> suggest_flags() {
   return flags;
 }
 
+std::vector<KeySection> key_sections_of_suggestions() {
+  return {{"Suggestions",
+           "Flags of `somato suggest`; they are not keys of a file. "
+           "[suggest.md](../mathematics/suggest.md) describes the search; none of these numbers is "
+           "in the papers.",
+           {key_table<SuggestionParameters>("suggestion")}}};
+}
+
 }  // namespace
 
 Command suggest_command() {
@@ -109,7 +117,8 @@ Command suggest_command() {
       suggest_flags(),
       SuggestionParameters::declarations().infos(),
       run_suggest,
-      {"suggestion"}};
+      {"suggestion"},
+      key_sections_of_suggestions};
 }
 
 }  // namespace somato::program

@@ -92,6 +92,14 @@ Result<void> run_touch_order(const Arguments& arguments) {
   return {};
 }
 
+std::vector<KeySection> key_sections_of_touch_orders() {
+  return {{"Orders of grasps",
+           "Flags of `somato touch-order`; they are not keys of a file. "
+           "[continual.md](../continual.md#the-next-grasp) describes the comparison; none of these "
+           "numbers is in the papers.",
+           {key_table<TouchOrderParameters>("touch_order")}}};
+}
+
 }  // namespace
 
 Command touch_order_command() {
@@ -101,7 +109,8 @@ Command touch_order_command() {
           {threads_flag(), json_flag()},
           TouchOrderParameters::declarations().infos(),
           run_touch_order,
-          {"touch_order"}};
+          {"touch_order"},
+          key_sections_of_touch_orders};
 }
 
 }  // namespace somato::program

@@ -82,16 +82,15 @@ nb::tuple measures(const Map& map, const SampleRows& rows, const Numbers<std::in
   const std::vector<std::size_t> numbers = sizes(classes);
   SomMeasures measured;
   Result<std::vector<SomMeasures>> shuffled;
-  Interrupts interrupts(std::move(progress));
-  {
-    const nb::gil_scoped_release released;
-    const Samples samples = map.inputs(rows);
-    const Som& som = map.model().som;
-    measured = measure_som(som, samples, chosen, read, numbers, threads);
-    shuffled =
-        measure_shuffled(som, samples, chosen, read, numbers, threads, interrupts.progress());
-  }
-  interrupts.throw_raised();
+  unlocked(
+      [&](Interrupts& interrupts) {
+        const Samples samples = map.inputs(rows);
+        const Som& som = map.model().som;
+        measured = measure_som(som, samples, chosen, read, numbers, threads);
+        shuffled =
+            measure_shuffled(som, samples, chosen, read, numbers, threads, interrupts.progress());
+      },
+      std::move(progress));
   nb::list by_chance;
   for (const SomMeasures& one : value_or_throw(std::move(shuffled))) by_chance.append(dict_of(one));
   return nb::make_tuple(dict_of(measured), by_chance);

@@ -75,21 +75,20 @@ Exploration as_in_file(Exploration exploration) {
 std::pair<Recording, std::vector<std::string>> explore(const SimulatedExplorer& explorer,
                                                        std::size_t explorations, double longest,
                                                        std::size_t threads, nb::object progress) {
-  Interrupts interrupts(std::move(progress));
-  const ExploreOptions options{.limits = {longest, [&] { return interrupts.proceed(); }}};
   Recording recording;
   Result<ExploringOutcome> outcome;
-  {
-    const nb::gil_scoped_release released;
-    outcome = explore_all(
-        explorer, {explorations}, threads, options,
-        [&](Exploration&& exploration) -> Result<void> {
-          recording.explorations.push_back(as_in_file(std::move(exploration)));
-          return {};
-        },
-        interrupts.progress());
-  }
-  interrupts.throw_raised();
+  unlocked(
+      [&](Interrupts& interrupts) {
+        const ExploreOptions options{.limits = {longest, [&] { return interrupts.proceed(); }}};
+        outcome = explore_all(
+            explorer, {explorations}, threads, options,
+            [&](Exploration&& exploration) -> Result<void> {
+              recording.explorations.push_back(as_in_file(std::move(exploration)));
+              return {};
+            },
+            interrupts.progress());
+      },
+      std::move(progress));
   const ExploringOutcome explored = value_or_throw(std::move(outcome));
   if (recording.explorations.empty()) {
     throw Failure{

@@ -42,4 +42,13 @@ void Interrupts::throw_raised() {
   if (raised_) throw std::move(*raised_);
 }
 
+void unlocked(const std::function<void(Interrupts&)>& work, nanobind::object progress) {
+  Interrupts interrupts(std::move(progress));
+  {
+    const nanobind::gil_scoped_release released;
+    work(interrupts);
+  }
+  interrupts.throw_raised();
+}
+
 }  // namespace somato::python

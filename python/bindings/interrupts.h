@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -48,5 +49,10 @@ class Interrupts {
   std::atomic<bool> stopped_ = false;
   std::optional<nanobind::python_error> raised_;  // guarded by the lock of the interpreter
 };
+
+/// Does `work`, whose progress the function `progress` shows, without the lock of the interpreter.
+/// Throws the exception of a signal's handler, or of `progress`.
+void unlocked(const std::function<void(Interrupts&)>& work,
+              nanobind::object progress = nanobind::none());
 
 }  // namespace somato::python

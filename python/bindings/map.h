@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "arrays.h"
+#include "interrupts.h"
 #include "nanobind/nanobind.h"
 #include "sample_rows.h"
 #include "somato/graph/som_model.h"
@@ -25,6 +27,12 @@ class Map {
   /// Interrupts.
   static Map train(const nanobind::dict& parameters, const SampleRows& rows, std::size_t threads,
                    nanobind::object progress);
+
+  /// The parameters of a map of measured size for the rows, and the checks: pairs of a number of
+  /// neurons and a mean distance. Throws Failure as sized_by_measurement(), and for parameters
+  /// that the size decides.
+  static nanobind::tuple sized(const nanobind::dict& parameters, const SampleRows& rows,
+                               std::size_t threads);
 
   /// The initial map for rows.
   static Map initial(const nanobind::dict& parameters, const SampleRows& rows);
@@ -96,7 +104,11 @@ class Map {
   /// (name, columns, distance, weight, scale) of each layer.
   nanobind::list layers() const;
 
+  /// In the unit of the rows; float32 of (neurons, columns).
   nanobind::object weights() const;
+
+  /// The relevances of the columns, float64; None without.
+  nanobind::object relevances() const;
 
   /// The positions of the neurons on the map; float64 of (neurons, 2).
   nanobind::object positions() const;
@@ -119,6 +131,11 @@ class Map {
   template <typename NumbersOf>
   nanobind::object numbers_of(const SampleRows& rows, NumbersOf numbers_of_part) const;
 
+  // Calls `work` with parts of the rows as inputs of the map, and the number of the part's first
+  // row.
+  void for_each_part(const SampleRows& rows, Interrupts& interrupts,
+                     const std::function<void(const Samples&, std::size_t first)>& work) const;
+
   // That which takes the rows.
   const SomModel& taking(const SampleRows& rows) const;
 
@@ -127,5 +144,9 @@ class Map {
   std::optional<SomModel> moved_;           // the same without offsets, if it has offsets
   mutable std::vector<double> deviations_;  // once they have been used
 };
+
+/// Throws Failure for parameters of a refinement with which a map of these parameters cannot be
+/// refined.
+void check_map_refinement(const nanobind::dict& refinement, const nanobind::dict& som);
 
 }  // namespace somato::python

@@ -65,13 +65,10 @@ Samples SampleRows::part(std::size_t first, std::size_t count) const {
 namespace {
 
 Result<Samples> from_nearest(const Samples& samples) {
-  Interrupts interrupts;
   Result<Samples> filled;
-  {
-    const nb::gil_scoped_release released;
+  unlocked([&](Interrupts& interrupts) {
     filled = filled_from_nearest(samples, {}, interrupts.progress());
-  }
-  interrupts.throw_raised();
+  });
   return filled;
 }
 

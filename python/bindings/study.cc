@@ -95,13 +95,12 @@ void save(const Outcome& outcome, const std::string& folder) {
 Outcome run(const Recording& recording, const StudyDescription& given, const nb::dict& settings,
             std::size_t threads, nb::object progress) {
   const StudyDescription description = with_settings(given, settings);
-  Interrupts interrupts(std::move(progress));
   Result<StudyOutcome> outcome;
-  {
-    const nb::gil_scoped_release released;
-    outcome = run_study(description, recording, {threads, interrupts.progress()});
-  }
-  interrupts.throw_raised();
+  unlocked(
+      [&](Interrupts& interrupts) {
+        outcome = run_study(description, recording, {threads, interrupts.progress()});
+      },
+      std::move(progress));
   StudyOutcome done = value_or_throw(std::move(outcome));
   std::string picture = winners_picture(description, done);
   Map map(SomModel{done.map(), {}, {}, {}, {}});

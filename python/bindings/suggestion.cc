@@ -20,13 +20,12 @@ namespace nb = nanobind;
 nb::tuple suggestion_for(const Recording& recording, const nb::dict& settings, std::size_t threads,
                          nb::object progress) {
   const auto parameters = parameters_of<SuggestionParameters>(settings, "suggest");
-  Interrupts interrupts(std::move(progress));
   Result<Suggestion> found;
-  {
-    const nb::gil_scoped_release released;
-    found = suggest(recording, parameters, {threads, interrupts.progress()});
-  }
-  interrupts.throw_raised();
+  unlocked(
+      [&](Interrupts& interrupts) {
+        found = suggest(recording, parameters, {threads, interrupts.progress()});
+      },
+      std::move(progress));
   const Suggestion suggestion = value_or_throw(std::move(found));
   const std::string toml = to_toml(suggestion);
   StudyDescription study = value_or_throw(parse_toml(toml, "suggest").and_then(read_study));

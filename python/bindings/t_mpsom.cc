@@ -71,19 +71,18 @@ TMpsom learned(const TMpsom& map, const Rows& rows, std::uint64_t first, std::ui
                const Next& next, nb::object progress = nb::none()) {
   check_columns(map, rows);
   TMpsom changed = map;
-  Interrupts interrupts(std::move(progress));
-  {
-    const nb::gil_scoped_release released;
-    const Schedule rate = changed.parameters().learning_rate();
-    RowInputs inputs(map.parameters(), rows);
-    TMpsomLearner learner(changed);
-    const Progress report = interrupts.progress();
-    for (std::uint64_t t = first; t < last && report(t - first, last - first); ++t) {
-      learner.learn(inputs.at(next(t)), rate.at(t));
-    }
-    report(last - first, last - first);
-  }
-  interrupts.throw_raised();
+  unlocked(
+      [&](Interrupts& interrupts) {
+        const Schedule rate = changed.parameters().learning_rate();
+        RowInputs inputs(map.parameters(), rows);
+        TMpsomLearner learner(changed);
+        const Progress report = interrupts.progress();
+        for (std::uint64_t t = first; t < last && report(t - first, last - first); ++t) {
+          learner.learn(inputs.at(next(t)), rate.at(t));
+        }
+        report(last - first, last - first);
+      },
+      std::move(progress));
   return changed;
 }
 
@@ -103,16 +102,13 @@ TMpsom learn_in_order(const TMpsom& map, const Rows& rows, std::uint64_t done) {
 nb::object activity(const TMpsom& map, const Rows& rows) {
   check_columns(map, rows);
   std::vector<float> activity(rows.shape(0) * map.neurons());
-  Interrupts interrupts;
-  {
-    const nb::gil_scoped_release released;
+  unlocked([&](Interrupts& interrupts) {
     RowInputs inputs(map.parameters(), rows);
     TMpsom::Workspace workspace(map);
     for (std::size_t i = 0; i < rows.shape(0) && interrupts.proceed(); ++i) {
       map.activation(inputs.at(i), workspace, {activity.data() + i * map.neurons(), map.neurons()});
     }
-  }
-  interrupts.throw_raised();
+  });
   const std::size_t shape[] = {rows.shape(0), map.neurons()};
   return array_of(std::move(activity), shape);
 }

@@ -6,6 +6,9 @@ from typing import TYPE_CHECKING
 from ._somato import __version__
 
 if TYPE_CHECKING:
+    from ._maps.drawing import MapDrawing
+    from ._maps.files import MapFiles
+    from ._maps.labels import MapLabels
     from .analysis import *
     from .codes import *
     from .drawing import *
@@ -22,6 +25,9 @@ if TYPE_CHECKING:
     from .t_mpsom import *
 
 _NAMES_OF = {
+    "_maps.drawing": ["MapDrawing"],
+    "_maps.files": ["MapFiles"],
+    "_maps.labels": ["MapLabels"],
     "analysis": ["MapAnalysis", "MapClusters", "MapMeasures"],
     "codes": ["OneHot", "Spectrum", "TensorProduct"],
     "drawing": ["Drawing", "Page"],

@@ -49,6 +49,9 @@ def som_parameters() -> list:
     The parameters of a SOM: name, type, unit, text, range, choices and default.
     """
 
+def size_parameters() -> list:
+    """The choice of a map's size, as the parameters of a SOM."""
+
 def refinement_parameters() -> list:
     """The parameters of a refinement by labels, as of a SOM."""
 
@@ -63,6 +66,9 @@ class Map:
 
     @staticmethod
     def train(parameters: dict, rows: SampleRows, threads: int, progress: object | None = None) -> Map: ...
+
+    @staticmethod
+    def sized(parameters: dict, rows: SampleRows, threads: int) -> tuple: ...
 
     @staticmethod
     def initial(parameters: dict, rows: SampleRows) -> Map: ...
@@ -105,6 +111,9 @@ class Map:
     def layers(self) -> list: ...
 
     def weights(self) -> object: ...
+
+    @property
+    def relevances(self) -> object: ...
 
     def positions(self) -> object: ...
 

@@ -4,9 +4,9 @@ import numpy as np
 
 from . import _somato
 from ._frames import frame
-from ._labels import labels_of
+from ._inputs.labels import labels_of
 from ._progress import shown
-from ._rows import check_fitted
+from ._inputs.rows import check_fitted
 from .errors import UsageError
 
 _MEASURES = ("quantization_error", "topographic_error", "distortion", "topographic_product", "trustworthiness",

@@ -4,9 +4,9 @@ import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
 
 from . import _somato
-from ._channels import frames_of
-from ._numbers import at_least_one, number
-from ._rows import check_fitted, rows_of
+from ._data_sets.channels import frames_of
+from ._inputs.numbers import at_least_one, number
+from ._inputs.rows import check_fitted, rows_of
 from .errors import DataError, UsageError
 
 

@@ -4,7 +4,7 @@ import os
 import warnings
 
 from . import _somato
-from ._numbers import at_least_one, number_of_threads
+from ._inputs.numbers import at_least_one, number_of_threads
 from ._progress import shown
 from .recording import Recording
 

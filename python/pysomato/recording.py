@@ -5,11 +5,12 @@ import warnings
 
 import numpy as np
 
-from . import _lerobot, _open_x_tactile, _somato
-from ._channels import flat, rounded
-from ._labels import has_none
-from ._readings import columns_of, readings_of, refuse_unnamed
-from ._tables import arrays_of_table
+from . import _somato
+from ._data_sets import lerobot, open_x_tactile
+from ._data_sets.channels import flat, rounded
+from ._inputs.labels import has_none
+from ._inputs.readings import columns_of, readings_of, refuse_unnamed
+from ._inputs.tables import arrays_of_table
 from .drawing import Drawing, skin
 from .errors import DataError, LeftOutWarning, UsageError
 
@@ -222,7 +223,7 @@ def read(path, format="automatic", **table) -> Recording:  # noqa: A002: as in t
         UsageError: The format or a key is unknown, or a key of tables is given for other data.
     """
     path = os.fspath(path)
-    for name, reader in (("lerobot", _lerobot), ("open_x_tactile", _open_x_tactile)):
+    for name, reader in (("lerobot", lerobot), ("open_x_tactile", open_x_tactile)):
         if format == name or (format == "automatic" and reader.recognizes(path)):
             arrays, left_out = reader.read(path)
             return _with_left_out(Recording.from_arrays(**arrays), left_out, path)

@@ -4,7 +4,7 @@ import numpy as np
 from sklearn.base import ClassifierMixin
 from sklearn.utils.multiclass import check_classification_targets
 
-from ._labels import Labels
+from ._inputs.labels import Labels
 from .errors import DataError, DataTypeError, UsageError, errors_of_sklearn
 from .som import SOM
 

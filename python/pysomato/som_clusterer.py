@@ -5,7 +5,7 @@ import inspect
 import numpy as np
 from sklearn.base import ClusterMixin
 
-from ._rows import check_fitted
+from ._inputs.rows import check_fitted
 from .som import SOM
 
 # The parameters of the clusters, with the names of SOM.clusters.

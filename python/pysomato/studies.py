@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from . import _somato
-from ._channels import frames_of
+from ._data_sets.channels import frames_of
 from ._frames import frame
-from ._numbers import number_of_threads
+from ._inputs.numbers import number_of_threads
 from ._program import run_program
 from ._progress import shown
 from .drawing import Drawing, Page

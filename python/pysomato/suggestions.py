@@ -3,7 +3,7 @@
 import json
 
 from . import _somato
-from ._numbers import number_of_threads
+from ._inputs.numbers import number_of_threads
 from ._progress import shown
 from .drawing import write_text
 from .recording import Recording

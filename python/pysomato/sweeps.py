@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 from ._frames import frame
-from ._numbers import number_of_threads
+from ._inputs.numbers import number_of_threads
 from ._program import run_program
 from .recording import Recording
 

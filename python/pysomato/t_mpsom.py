@@ -4,9 +4,9 @@ import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
 
 from . import _somato
-from ._numbers import seed_of
+from ._inputs.numbers import seed_of
 from ._progress import shown
-from ._rows import check_fitted, rows_of
+from ._inputs.rows import check_fitted, rows_of
 from .errors import UsageError
 
 

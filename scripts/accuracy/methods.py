@@ -44,6 +44,8 @@ habituation_threshold = 2.0
 insertion_share = 1.0
 """
 BY_NAMES = "by_names = true\n"  # of growing_when_required
+SHARED = (GROWING.replace("activity_threshold = 0.4", "activity_threshold = 0.22") + BY_NAMES
+          + 'most_share = 0.3\nsimilarity = "manhattan"\nrefine = "glvq"\n')
 
 
 class MissingFeature(Exception):
@@ -144,7 +146,7 @@ def som(most_share=None, **parameters):
         sides = {} if most_share is None else sides_within(most_share, len(train))
         model = pysomato.SOMClassifier(**sides, **parameters, random_state=seed, threads=1)
         model.fit(train.astype(np.float32), labels)
-        return model.predict(test.astype(np.float32)), neurons(model)
+        return model.predict(test.astype(np.float32)), neurons(model) + hasattr(model, "relevances_")
     return classify
 
 
@@ -207,17 +209,22 @@ def grown_map(text, train, labels, seed):
     return study_of(rows_of(train, labels), system, seed).som
 
 
-def needs_names():
+def needs_keys(text):
     """Keys of modules are checked when a system is trained."""
-    try:
-        grown_map(GROWING + BY_NAMES, np.eye(4), np.array(["a", "a", "b", "b"]), 1)
-    except pysomato.UsageError as error:
-        raise MissingFeature(f"growing_when_required of pysomato {pysomato.__version__} has no by_names") from error
+    def check():
+        try:
+            grown_map(text, np.eye(4), np.array(["a", "a", "b", "b"]), 1)
+        except pysomato.UsageError as error:
+            raise MissingFeature(f"growing_when_required of pysomato {pysomato.__version__}: {error}") from error
+    return check
 
 
-def needs_refinement():
-    if "refine" not in inspect.signature(pysomato.SOM.__init__).parameters:
-        raise MissingFeature(f"pysomato {pysomato.__version__} has no SOM(refine=...)")
+def needs(parameter):
+    """A check that SOM has this parameter."""
+    def check():
+        if parameter not in inspect.signature(pysomato.SOM.__init__).parameters:
+            raise MissingFeature(f"pysomato {pysomato.__version__} has no SOM({parameter}=...)")
+    return check
 
 
 ALL = ("touch", "points", "early")
@@ -228,20 +235,34 @@ METHODS = {method.name: method for method in (
            is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL),
     Method("manhattan", "map, Manhattan", 'SOMClassifier(similarity="manhattan"), standardized',
            som(similarity="manhattan"), is_random=True, uses_somato=True, like=MANHATTAN),
+    Method("measured", "map of measured size, Manhattan",
+           'SOMClassifier(size="measured", similarity="manhattan"), standardized',
+           som(size="measured", similarity="manhattan"), is_random=True, uses_somato=True, like=MANHATTAN,
+           check=needs("size")),
     Method("suggested", "system of `suggest`", "suggest(label=...), raw", suggested,
            is_random=True, uses_somato=True, groups=("touch",)),
     Method("refined", "map, refined", f'SOMClassifier(refine="glvq"), {HALF}, standardized', som(0.5, refine="glvq"),
-           is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL, check=needs_refinement),
+           is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL, check=needs("refine")),
     Method("refined_manhattan", "map, Manhattan, refined",
            f'SOMClassifier(refine="glvq", similarity="manhattan"), {HALF}, standardized',
            som(0.5, refine="glvq", similarity="manhattan"),
-           is_random=True, uses_somato=True, like=MANHATTAN, check=needs_refinement),
+           is_random=True, uses_somato=True, like=MANHATTAN, check=needs("refine")),
+    Method("relevance", "map, relevances", f'SOMClassifier(refine="grlvq"), {HALF}, standardized',
+           som(0.5, refine="grlvq"), is_random=True, uses_somato=True, like=EUCLIDEAN,
+           check=needs("refine_relevance_rate")),
+    Method("relevance_manhattan", "map, Manhattan, relevances",
+           f'SOMClassifier(refine="grlvq", similarity="manhattan"), {HALF}, standardized',
+           som(0.5, refine="grlvq", similarity="manhattan"),
+           is_random=True, uses_somato=True, like=MANHATTAN, check=needs("refine_relevance_rate")),
     Method("growing", "growing map",
            f"growing_when_required as in docs/continual.md, most_neurons = samples, standardized\n{GROWING}",
            growing(GROWING), is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL),
     Method("growing_by_names", "growing map, by names", f"the same with {BY_NAMES}{GROWING}",
            growing(GROWING + BY_NAMES), is_random=True, uses_somato=True, like=EUCLIDEAN, groups=ALL,
-           check=needs_names),
+           check=needs_keys(GROWING + BY_NAMES)),
+    Method("growing_refined", "growing map, by names, refined",
+           f"at most 30 % of each class, Manhattan, refined, most_neurons = samples, standardized\n{SHARED}",
+           growing(SHARED), is_random=True, uses_somato=True, like=MANHATTAN, check=needs_keys(SHARED)),
     Method("best_neighbour", "best nearest neighbour", "distance and scale chosen inside the training part",
            best_neighbour, groups=ALL),
     *(Method(f"{metric}_{scale}", f"nearest neighbour, {metric.capitalize()}, {scale}", "KNeighborsClassifier(1)",

@@ -47,6 +47,18 @@ class Rooms(TreeTest):
             self.write(f"web/src/view/part{number}.ts")
         self.assertEqual(self.problems(), [f"web/src/view: 27 files; at most 26: {check_rooms.ADVICE}"])
 
+    def test_refuses_crowded_folders_of_other_code_unless_a_reason_is_listed(self):
+        for number in range(27):
+            self.write(f"python/package/part{number}.py")
+            self.write(f"python/package/__pycache__/part{number}.pyc")
+            self.write(f"scripts/part{number}.py")
+        self.assertEqual(self.problems(), [f"python/package: 27 files; at most 26: {check_rooms.ADVICE}"])
+
+    def test_refuses_a_reason_that_is_not_needed(self):
+        self.write("scripts/part.py")
+        self.assertEqual(self.problems(),
+                         ["scripts: at most 26 files; remove it from LARGE_FOLDERS of check_rooms.py"])
+
     def test_refuses_a_small_room_without_a_reason(self):
         (self.tree / "program/flags/part0.h").unlink()
         self.assertEqual(self.problems(), ["program/flags: 3 files; at least 4: join it with its neighbour"])

@@ -21,6 +21,36 @@ def somato():
 
 
 @pytest.fixture
+def study_text():
+    """The text of a study of grasps, whose last line belongs to its map."""
+
+    def text(settings, *, columns=4):
+        return f"""
+[study]
+name = "grasps"
+label = "object"
+{settings}
+
+[module.joints]
+type = "channel"
+channel = "joints"
+
+[module.closed]
+type = "last"
+input = "joints"
+
+[module.map]
+type = "som"
+input = "closed"
+rows = 4
+columns = {columns}
+iterations = 300
+"""
+
+    return text
+
+
+@pytest.fixture
 def X():
     """Rows around four centres, float32 of (60, 7)."""
     random = np.random.default_rng(7)

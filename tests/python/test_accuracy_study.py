@@ -108,7 +108,7 @@ class TestMethods:
             assert sides["rows"] * sides["columns"] <= max(2, share * samples)
         assert methods.sides_within(0.5, 200)["rows"] == 10
 
-    @pytest.mark.parametrize("name", ["default", "manhattan", "suggested", "growing", "linear_discriminant",
+    @pytest.mark.parametrize("name", ["default", "manhattan", "measured", "suggested", "growing", "linear_discriminant",
                                       "support_vectors"])
     def test_separate_classes_are_named(self, name):
         random = np.random.default_rng(3)

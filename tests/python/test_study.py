@@ -11,30 +11,6 @@ import pytest
 import pysomato
 from pysomato import Recording, System, load, study, suggest
 
-STUDY = """
-[study]
-name = "grasps"
-label = "object"
-protocols = ["train_is_test", "leave_one_out"]
-seeds = 3
-
-[module.joints]
-type = "channel"
-channel = "joints"
-
-[module.closed]
-type = "last"
-input = "joints"
-
-[module.map]
-type = "som"
-input = "closed"
-rows = 4
-columns = 4
-iterations = 300
-"""
-
-
 @pytest.fixture
 def recording():
     random = np.random.default_rng(11)
@@ -46,9 +22,9 @@ def recording():
 
 
 @pytest.fixture
-def toml(tmp_path):
+def toml(tmp_path, study_text):
     path = tmp_path / "grasps.toml"
-    path.write_text(STUDY)
+    path.write_text(study_text('protocols = ["train_is_test", "leave_one_out"]\nseeds = 3'))
     return path
 
 
@@ -221,7 +197,7 @@ def test_wrong_settings_are_named(recording, toml, settings, message):
 
 
 def test_files_that_are_wrong_are_named(recording, toml, tmp_path):
-    toml.write_text(STUDY.replace('type = "last"', 'type = "lats"'))
+    toml.write_text(toml.read_text().replace('type = "last"', 'type = "lats"'))
     with pytest.raises(pysomato.UsageError, match="grasps.toml:.*'last'"):
         study(recording, toml)
     with pytest.raises(pysomato.UsageError, match="joints"):

@@ -9,29 +9,6 @@ import pytest
 import pysomato
 from pysomato import Recording, System, load, study
 
-STUDY = """
-[study]
-name = "grasps"
-label = "object"
-seeds = 3
-
-[module.joints]
-type = "channel"
-channel = "joints"
-
-[module.closed]
-type = "last"
-input = "joints"
-
-[module.map]
-type = "som"
-input = "closed"
-rows = 4
-columns = 5
-iterations = 300
-"""
-
-
 @pytest.fixture
 def recording():
     random = np.random.default_rng(11)
@@ -40,9 +17,9 @@ def recording():
 
 
 @pytest.fixture
-def system(tmp_path):
+def system(tmp_path, study_text):
     path = tmp_path / "grasps.toml"
-    path.write_text(STUDY)
+    path.write_text(study_text("seeds = 3", columns=5))
     return System(path)
 
 
@@ -90,7 +67,7 @@ def test_modules_of_a_trained_system_have_outputs(system, recording):
     assert "U-matrix" in system.fit(recording)._repr_svg_()
 
 
-def test_what_does_not_fit_is_named(system, recording, tmp_path):
+def test_what_does_not_fit_is_named(system, recording, tmp_path, study_text):
     trained = system.fit(recording)
     with pytest.raises(pysomato.UsageError, match="did you mean 'closed'"):
         trained.evaluate(recording, "close")
@@ -99,7 +76,7 @@ def test_what_does_not_fit_is_named(system, recording, tmp_path):
         trained.evaluate(other, "map")
     with pytest.raises(pysomato.UsageError, match="object"):
         system.fit(Recording.from_arrays({"trial": [1]}, {"joints": [np.ones((3, 6))]}))
-    (tmp_path / "wrong.toml").write_text(STUDY.replace("[study]", "[stady]"))
+    (tmp_path / "wrong.toml").write_text(study_text("seeds = 3").replace("[study]", "[stady]"))
     with pytest.raises(pysomato.UsageError, match="wrong.toml"):
         System(tmp_path / "wrong.toml")
 

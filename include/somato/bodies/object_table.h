@@ -56,6 +56,12 @@ Result<ObjectTable> parse_object_table(std::string_view text, std::string_view w
 /// The table in the file at `path`; see parse_object_table() and read_toml().
 Result<ObjectTable> read_object_table(const std::string& path, std::span<const Material> declared);
 
+/// The objects and materials of `table`, which has the tables `object` and `material` of such a
+/// file. Files of meshes are relative to the folder of `where`. Errors: those of
+/// parse_object_table().
+Result<ObjectTable> object_table_of(const Table& table, std::string_view where,
+                                    std::span<const Material> declared);
+
 /// The names of the built-in tables of objects, the files of `objects/` except materials.toml, in
 /// alphabetical order: "all_senses", "lucs2", and so on.
 std::vector<std::string> own_object_tables();

@@ -41,6 +41,7 @@ std::vector<DecidingNeurons> deciding_neurons(const Som& som, const NeuronLabels
 /// - dot product: x_i (a_i - b_i);
 /// - Chebyshev: d(x, b) where |x_i - b_i| is the greatest difference, minus d(x, a) where |x_i -
 ///   a_i| is; of n equal ones each has the n-th part. All others contribute 0;
+/// - relevances: the same of x, a and b times Som::input_scales();
 /// - layers: the contribution to the layer's distance, times its weight and divided by its scale.
 ///
 /// Elements that are missing (NaN) contribute 0 and are left out of distances and lengths. The

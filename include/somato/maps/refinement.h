@@ -22,8 +22,9 @@ namespace somato {
 
 /// The method that moves the neurons of a trained map by labels.
 enum class Refinement {
-  kNone,  ///< The map stays as training without labels made it.
-  kGlvq,  ///< Generalized learning vector quantization.
+  kNone,   ///< The map stays as training without labels made it.
+  kGlvq,   ///< Generalized learning vector quantization.
+  kGrlvq,  ///< The same with relevances of the elements, which it also learns.
 };
 
 template <>
@@ -39,6 +40,7 @@ struct RefinementParameters {
   double refine_steepness_start = 2.0;
   double refine_steepness_end = 30.0;
   double refine_neighbours = 0.3;
+  double refine_relevance_rate = 0.03;
 
   static const Declarations<RefinementParameters>& declarations();
 };
@@ -90,12 +92,16 @@ Result<void> check_refinement(const RefinementParameters& parameters, const SomP
 /// is, and could win samples that other neurons have been pushed away from. `refine_passes` times,
 /// all samples come in a new random order. Each moves the nearest neuron of its class towards
 /// itself, together with the adjacent neurons that have the same class, and the nearest neuron of
-/// another class away.
+/// another class away. With `refine = "grlvq"` the same samples also change how much each element
+/// counts in the distance, which begins alike (Som::set_relevances()): Hammer and Villmann,
+/// "Generalized relevance learning vector quantization", Neural Networks 15, 2002.
 ///
 /// `classes[i]` is the class of sample i, or none: it is then not learned. Samples need not be
 /// those of the training; elements of dense ones may be missing (NaN) and then have no effect, for
 /// maps that do not scale their inputs. The same input gives the same bits for every number of
 /// threads, instruction set and compiler.
+///
+/// The errors of the order after "grlvq" are those of its distance.
 ///
 /// A map of `refine = "none"` is returned as it is, with its order in both places. Errors: those of
 /// check_refinement(); kData if fewer than two classes have samples, or if samples are out of the

@@ -100,7 +100,8 @@ struct Winners {
 /// workspace.
 ///
 /// An input is a flat signal of input_size() elements; with `normalize_input` it is first scaled to
-/// Euclidean length 1 (a zero input is unchanged). Different sizes throw InvalidArgument.
+/// Euclidean length 1 (a zero input is unchanged), and with relevances its elements are then
+/// multiplied by input_scales(). Different sizes throw InvalidArgument.
 ///
 /// A map may store only the weights of some elements, if all others are 0: elements() lists them.
 /// Its results are the same as with all weights.
@@ -136,7 +137,7 @@ class Som {
   /// The elements of an input that have weights.
   const StoredElements& elements() const { return elements_; }
 
-  /// Neurons x elements().count().
+  /// Neurons x elements().count(), as they are compared with inputs: times input_scales().
   const LaneMatrix<float>& weights() const { return products_ ? formed() : weights_; }
 
   /// The inner products of the map with samples, or nullptr.
@@ -146,11 +147,25 @@ class Som {
   /// copy of.
   bool knows(const Samples& samples) const;
 
-  /// The weight of `neuron` for `element` of an input, stored or not.
+  /// The weight of `neuron` for `element` of an input, stored or not, in the unit of the input.
   float weight(std::size_t neuron, std::size_t element) const;
 
   /// Stores weights for all elements of an input; those without weights get 0.
   void store_all();
+
+  /// Makes the distance of input x from weights w of a Euclidean map the root of the sum of r_i
+  /// (x_i
+  /// - w_i)^2, and that of a Manhattan map the sum of r_i |x_i - w_i|: `relevances` r has a finite
+  /// number above 0 for each element of an input. Weights in the unit of the input, weight(), stay
+  /// as they are up to rounding, and all are stored. Source: Hammer and Villmann, "Generalized
+  /// relevance learning vector quantization", Neural Networks 15, 2002. Throws InvalidArgument for
+  /// other numbers, another distance, or a map with layers.
+  void set_relevances(std::vector<double> relevances);
+
+  /// The factors by which a map with relevances multiplies an input, after normalization, and by
+  /// which its stored weights() are multiplied: roots of the relevances for a Euclidean map, the
+  /// relevances themselves for a Manhattan map. Empty without relevances.
+  std::span<const float> input_scales() const { return input_scales_; }
 
   /// The same map, except that the weights of `neuron` are `input`, after normalization; those of a
   /// dot-product map have length 1. It also stores the elements for which the input has a value.
@@ -221,11 +236,16 @@ class Som {
   Grid grid_;
   LaneMatrix<float> weights_;
   StoredElements elements_;
+  std::vector<float> input_scales_;
   std::shared_ptr<const ProductWeights> products_;  // if true, weights_ is empty
 };
 
 /// Scales `values` to Euclidean length 1, with a sum of squares in double precision; zero vectors
 /// are unchanged.
 void normalize_length(std::span<float> values);
+
+/// Multiplies each value by the scale of the same place (Som::input_scales()); without scales the
+/// values stay.
+void scale_elements(std::span<const float> scales, std::span<float> values);
 
 }  // namespace somato

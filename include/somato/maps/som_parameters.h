@@ -161,6 +161,10 @@ struct SomParameters {
   /// they belong to the columns of the data.
   std::vector<Layer> layers = {};
 
+  /// How much each element of an input counts in the distance: numbers above 0, or none where all
+  /// count alike (Som::set_relevances()). Not declared, because a refinement learns them.
+  std::vector<double> relevances = {};
+
   static const Declarations<SomParameters>& declarations();
 
   /// Whether a side of the map is derived from the number of samples.

@@ -54,8 +54,8 @@ struct NamedFile {
 Result<void> add_to_plan(const NamedFile& file, const std::vector<NamedFile>& systems,
                          ReproductionPlan& plan);
 
-/// The settings of a table `[explore]`: `explore`, and for each table within it `explore.NAME`.
-/// Empty if there are none.
+/// The settings of a table `[explore]`: `explore`, and for each table with values within it, at any
+/// depth, `explore.NAME`. Empty if there are none.
 std::vector<Settings> explore_settings(const Table& explore);
 
 /// The number of pairs of a recording: `pairs` distributed equally, with one more for the first

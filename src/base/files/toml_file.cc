@@ -139,7 +139,38 @@ std::string place_after(std::string_view before, std::string_view where) {
   return fmt::format("{}:{}:{}", where, line, column);
 }
 
+std::string written_key(const std::string& name) {
+  const bool is_bare = !name.empty() && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+  return is_bare ? name : to_toml(Value{name});
+}
+
+// The entries of a table with the name `path`, which ends with a point unless it is empty.
+std::string written(const Table& table, const std::string& path) {
+  std::string text;
+  for (const Table::Entry& entry : table.entries) {
+    const auto* value = std::get_if<Value>(&entry.content);
+    if (value) text += written_key(entry.name) + " = " + to_toml(*value) + "\n";
+  }
+  for (const Table::Entry& entry : table.entries) {
+    const std::string name = path + written_key(entry.name);
+    if (const auto* inner = std::get_if<Table>(&entry.content)) {
+      text += "\n[" + name + "]\n" + written(*inner, name + ".");
+    }
+    if (const auto* list = std::get_if<std::vector<Table>>(&entry.content)) {
+      for (const Table& one : *list) text += "\n[[" + name + "]]\n" + written(one, name + ".");
+    }
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string to_toml(const Table& table) {
+  return written(table, "");
+}
 
 Result<Table> parse_toml(std::string_view text, std::string_view where) {
   if (text.size() > kLargestToml) {

@@ -22,6 +22,10 @@ Result<Table> parse_toml(std::string_view text, std::string_view where);
 /// The table in the file at `path`; see parse_toml() and read_whole().
 Result<Table> read_toml(const std::string& path);
 
+/// The table as TOML: in each table first its values, then the tables in it; reading it gives the
+/// same table but for the locations and this order.
+std::string to_toml(const Table& table);
+
 /// The table `name` in `table`; nullptr if there is none.
 const Table* table_in(const Table& table, const std::string& name);
 

@@ -182,7 +182,9 @@ class HandPlayer : public ScenePlayer {
       require(channel != nullptr && frame < frames,
               "the frame does not exist in the recording of this hand");
       const std::size_t row = detail::played_row(exploration, *channel, frame);
-      for (const float value : channel->frames.row(row)) set_servo(servo++, double{value});
+      for (std::size_t element = 0; element < needed.elements; ++element) {
+        set_servo(servo++, double{detail::played_value(*channel, row, element)});
+      }
     }
     for (int tendon = 0; tendon < static_cast<int>(model.ntendon); ++tendon) {
       pull(model, tendon, *data_);

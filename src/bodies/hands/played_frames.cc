@@ -26,4 +26,17 @@ std::size_t played_row(const Exploration& exploration, const Channel& channel, s
   return std::min(frame, most - 1) * channel.frames.rows() / most;
 }
 
+float played_value(const Channel& channel, std::size_t row, std::size_t element) {
+  const auto is_known = [&](std::size_t at) {
+    return channel.valid.empty() || channel.valid(at, element) != 0;
+  };
+  for (std::size_t at = row + 1; at-- > 0;) {
+    if (is_known(at)) return channel.frames(at, element);
+  }
+  for (std::size_t at = row + 1; at < channel.frames.rows(); ++at) {
+    if (is_known(at)) return channel.frames(at, element);
+  }
+  return 0.0F;
+}
+
 }  // namespace somato::detail

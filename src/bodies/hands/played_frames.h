@@ -18,4 +18,8 @@ std::size_t most_frames(const Exploration& exploration);
 /// over the same time. Later frames have the last row.
 std::size_t played_row(const Exploration& exploration, const Channel& channel, std::size_t frame);
 
+/// The value of an element at a row. Where it is missing, the last known one before it, else the
+/// first known one after it, so that a pose does not jump to 0; 0 if none is known.
+float played_value(const Channel& channel, std::size_t row, std::size_t element);
+
 }  // namespace somato::detail

@@ -292,13 +292,18 @@ const ShapeKeys& shape_keys(Shape shape) {
 Result<ObjectTable> parse_object_table(std::string_view text, std::string_view where,
                                        std::span<const Material> declared) {
   return parse_toml(text, where).and_then([&](const Table& root) {
-    return TableReader(where, declared).read(root);
+    return object_table_of(root, where, declared);
   });
 }
 
 Result<ObjectTable> read_object_table(const std::string& path, std::span<const Material> declared) {
   return read_toml(path).and_then(
-      [&](const Table& root) { return TableReader(path, declared).read(root); });
+      [&](const Table& root) { return object_table_of(root, path, declared); });
+}
+
+Result<ObjectTable> object_table_of(const Table& table, std::string_view where,
+                                    std::span<const Material> declared) {
+  return TableReader(where, declared).read(table);
 }
 
 std::vector<std::string> own_object_tables() {

@@ -51,7 +51,8 @@ double lever_at(const Channel& sound, std::size_t frame) {
 }
 
 double stick_at(const Channel& potentiometer, std::size_t frame) {
-  return stick_position(double{potentiometer.frames(frame, 0)}, {}).value_or(0.0);
+  const float read = detail::played_value(potentiometer, frame, 0);
+  return stick_position(double{read}, {}).value_or(0.0);
 }
 
 class ProbePlayer : public ScenePlayer {

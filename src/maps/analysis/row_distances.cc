@@ -8,13 +8,14 @@
 
 namespace somato {
 
-// A row of neurons that have the rows as weights; what is compared with them is normalized already.
+// A row of neurons that have the rows as weights; what is compared with them is prepared already.
 RowDistances::RowDistances(SomParameters parameters, LaneMatrix<float> rows) {
   parameters.rows = 1;
   parameters.columns = rows.rows();
   parameters.lattice = Lattice::kRectangular;
   parameters.topology = Topology::kPlane;
   parameters.normalize_input = false;
+  parameters.relevances.clear();
   as_neurons_ = Som(std::move(parameters), std::move(rows));
 }
 

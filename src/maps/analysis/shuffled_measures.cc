@@ -77,10 +77,12 @@ Result<std::vector<SomMeasures>> measure_shuffled(const Som& som, const Samples&
       return progress(done, parameters.shuffles);
     };
   }
+  SomParameters untrained = som.parameters();
+  untrained.relevances.clear();
   std::vector<SomMeasures> measures;
   for (; done < parameters.shuffles; ++done) {
     const Samples shuffled = with_shuffled_features(samples, parameters.seed + done);
-    SOMATO_TRY(const auto trained, train_som(som.parameters(), shuffled, options));
+    SOMATO_TRY(const auto trained, train_som(untrained, shuffled, options));
     measures.push_back(measure_som(trained, shuffled, chosen, parameters, classes, threads));
   }
   return measures;

@@ -47,7 +47,9 @@ void FeatureMeasurement::add(const Samples& samples, std::span<const std::size_t
   require(samples.count() == winners.size(), "FeatureMeasurement: each sample needs a winner");
   require(samples.size() == som_.input_size(), "FeatureMeasurement: samples of another size");
   Samples storage;
-  const Samples& prepared = prepared_samples(som_.parameters(), samples, storage);
+  SomParameters in_units = som_.parameters();
+  in_units.relevances.clear();
+  const Samples& prepared = prepared_samples(in_units, samples, storage);
   const std::size_t most = rows_at_once(samples.size());
   for (std::size_t first = 0; first < prepared.count(); first += most) {
     std::vector<std::size_t> numbers(std::min(most, prepared.count() - first));

@@ -242,11 +242,19 @@ Result<void> check_arithmetic(const SomParameters& parameters) {
               "arithmetic", "set 'arithmetic' to plain or leave it out");
 }
 
+Result<void> check_without_relevances(const SomParameters& parameters) {
+  if (parameters.relevances.empty()) return {};
+  return fail(ErrorKind::kUsage,
+              "a training begins without relevances, which only a refinement learns", "relevances",
+              "leave them out");
+}
+
 }  // namespace
 
 Result<SomParameters> resolve(SomParameters parameters, std::size_t samples, std::size_t features) {
   if (parameters.is_size_automatic()) SOMATO_TRY_VOID(check_given_side(parameters));
   SOMATO_TRY_VOID(check_arithmetic(parameters));
+  SOMATO_TRY_VOID(check_without_relevances(parameters));
   decide_size(parameters, samples);
   auto& p = parameters;
   SOMATO_TRY_VOID(check_shape(p));

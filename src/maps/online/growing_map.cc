@@ -1,6 +1,7 @@
 #include "maps/online/growing_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -80,8 +81,23 @@ Result<void> check_growing(const Samples& samples) {
   return check_range(samples);
 }
 
+void GrowingMap::refine(const Som& /*refined*/, const std::vector<std::size_t>& /*classes*/) {
+  require(false, "a map that does not learn names cannot be refined by them");
+}
+
+double distance_score(Similarity similarity, std::span<const float> a, std::span<const float> b) {
+  if (similarity == Similarity::kEuclidean) return GrowingWeights::squared_distance(a, b);
+  return kernels::batch_table().absolute_distance(a.data(), b.data(), a.size());
+}
+
+double distance_of_score(Similarity similarity, double score) {
+  return similarity == Similarity::kEuclidean ? std::sqrt(score) : score;
+}
+
 GrowingWeights::GrowingWeights(const Som& som)
-    : rows_(som.weights().to_matrix()), origins_(som.neurons()) {
+    : similarity_(som.parameters().similarity),
+      rows_(som.weights().to_matrix()),
+      origins_(som.neurons()) {
   number_anew();
 }
 
@@ -138,10 +154,14 @@ double GrowingWeights::squared_distance(std::span<const float> a, std::span<cons
   return kernels::batch_table().squared_distance(a.data(), b.data(), a.size());
 }
 
+double GrowingWeights::distance(std::size_t neuron, std::span<const float> input) const {
+  return distance_of_score(similarity_, distance_score(similarity_, rows_.row(neuron), input));
+}
+
 Winners GrowingWeights::nearest_two(std::span<const float> input) const {
   BestTwo best;
   for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
-    best.meet(squared_distance(rows_.row(neuron), input), neuron);
+    best.meet(distance_score(similarity_, rows_.row(neuron), input), neuron);
   }
   return best.winners();
 }
@@ -151,7 +171,7 @@ std::pair<std::size_t, std::size_t> GrowingWeights::nearest_pair() const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < neurons(); ++a) {
     for (std::size_t b = a + 1; b < neurons(); ++b) {
-      const double distance = squared_distance(rows_.row(a), rows_.row(b));
+      const double distance = distance_score(similarity_, rows_.row(a), rows_.row(b));
       if (distance >= least) continue;
       least = distance;
       nearest = {a, b};
@@ -221,8 +241,9 @@ std::vector<std::size_t> drawn_samples(const Samples& samples, std::size_t count
   return initial_samples(parameters, samples.count());
 }
 
-GrowingWeights drawn_weights(const Samples& samples, std::size_t count, std::uint64_t seed) {
-  GrowingWeights weights(samples.size());
+GrowingWeights drawn_weights(const Samples& samples, std::size_t count, std::uint64_t seed,
+                             Similarity similarity) {
+  GrowingWeights weights(samples.size(), similarity);
   std::vector<float> row(samples.size());
   for (const std::size_t sample : drawn_samples(samples, count, seed)) {
     write_dense(samples[sample], row);
@@ -232,12 +253,13 @@ GrowingWeights drawn_weights(const Samples& samples, std::size_t count, std::uin
 }
 
 SomParameters parameters_of_grown(const GrowthParameters& parameters, std::size_t rows,
-                                  std::size_t columns) {
+                                  std::size_t columns, Similarity similarity) {
   SomParameters map;
   map.rows = rows;
   map.columns = columns;
   map.iterations = parameters.iterations;
   map.arithmetic = Arithmetic::kPlain;
+  map.similarity = similarity;
   map.softmax = parameters.softmax;
   map.softmax_exponent = parameters.softmax_exponent;
   map.activity_norm = parameters.activity_norm;

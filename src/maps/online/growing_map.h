@@ -40,8 +40,8 @@ struct NamedSamples {
   std::vector<std::size_t> classes = {};
 };
 
-/// A map that adds neurons while it learns. Its winner is the neuron with the smallest Euclidean
-/// distance from an input.
+/// A map that adds neurons while it learns. Its winner is the neuron with the smallest distance
+/// from an input: the Euclidean one, unless the kind of map has another similarity.
 class GrowingMap {
  public:
   GrowingMap() = default;
@@ -62,7 +62,11 @@ class GrowingMap {
   }
 
   /// Sees samples once, before it learns from them in addition to what it has learned.
-  virtual void see(const Samples& /*samples*/) {}
+  virtual void see(const NamedSamples& /*samples*/) {}
+
+  /// Takes the weights of `refined`, the same map after a refinement by labels, with the class of
+  /// each neuron. Throws InvalidArgument unless the map learns names.
+  virtual void refine(const Som& refined, const std::vector<std::size_t>& classes);
 
   /// Whether learning ends by itself: further inputs are ignored.
   virtual bool is_complete() const { return false; }
@@ -107,10 +111,18 @@ Result<void> grow(GrowingMap& map, const GrowthParameters& parameters, const Nam
 /// Refuses (kData) samples that a map cannot learn; see train_som().
 Result<void> check_growing(const Samples& samples);
 
+/// How distances of vectors are compared: by their squares if they are Euclidean, otherwise by
+/// themselves. `similarity` is that, or Manhattan.
+double distance_score(Similarity similarity, std::span<const float> a, std::span<const float> b);
+
+/// The distance with that score.
+double distance_of_score(Similarity similarity, double score);
+
 /// The weights of neurons, a row each, which learn one by one.
 class GrowingWeights {
  public:
-  explicit GrowingWeights(std::size_t inputs) : rows_(0, inputs) {}
+  explicit GrowingWeights(std::size_t inputs, Similarity similarity = Similarity::kEuclidean)
+      : similarity_(similarity), rows_(0, inputs) {}
   explicit GrowingWeights(const Som& som);
 
   std::size_t neurons() const { return rows_.rows(); }
@@ -140,11 +152,30 @@ class GrowingWeights {
   /// w += rate (input - w).
   void move(std::size_t neuron, std::span<const float> input, double rate);
 
-  /// The squared distance of two vectors, in double precision.
+  /// The squared Euclidean distance of two vectors, in double precision.
   static double squared_distance(std::span<const float> a, std::span<const float> b);
 
-  /// The two neurons nearest to `input`; in a tie the first ones.
+  /// The distance of a neuron from `input` by the similarity.
+  double distance(std::size_t neuron, std::span<const float> input) const;
+
+  /// The two neurons nearest to `input` by the similarity; in a tie the first ones.
   Winners nearest_two(std::span<const float> input) const;
+
+  /// The neuron nearest to `input` among those that `counts` accepts, the first in a tie; none if
+  /// it accepts none.
+  template <typename Counts>
+  std::optional<std::size_t> nearest_of(std::span<const float> input, const Counts& counts) const {
+    std::optional<std::size_t> nearest;
+    double least = 0.0;
+    for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
+      if (!counts(neuron)) continue;
+      const double score = distance_score(similarity_, rows_.row(neuron), input);
+      if (nearest && score >= least) continue;
+      least = score;
+      nearest = neuron;
+    }
+    return nearest;
+  }
 
   /// The two neurons nearest to each other, the lower number first; in a tie the first ones. There
   /// must be two.
@@ -153,6 +184,7 @@ class GrowingWeights {
   bool operator==(const GrowingWeights&) const = default;
 
  private:
+  Similarity similarity_;
   Matrix<float> rows_;
   NeuronOrigins origins_;
 };
@@ -182,10 +214,12 @@ std::vector<std::size_t> drawn_samples(const Samples& samples, std::size_t count
                                        std::uint64_t seed);
 
 /// The weights of that many neurons.
-GrowingWeights drawn_weights(const Samples& samples, std::size_t count, std::uint64_t seed);
+GrowingWeights drawn_weights(const Samples& samples, std::size_t count, std::uint64_t seed,
+                             Similarity similarity = Similarity::kEuclidean);
 
 /// The parameters of the map that grew: one row with a column for each neuron.
 SomParameters parameters_of_grown(const GrowthParameters& parameters, std::size_t rows,
-                                  std::size_t columns);
+                                  std::size_t columns,
+                                  Similarity similarity = Similarity::kEuclidean);
 
 }  // namespace somato

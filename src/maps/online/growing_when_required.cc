@@ -1,19 +1,35 @@
 #include "maps/online/growing_when_required.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
 #include "base/core/elementary.h"
+#include "maps/som/map_parts.h"
 #include "somato/core/check.h"
 
 namespace somato {
 namespace {
 
 const std::string kNearestDistances = "nearest_distances";
+const std::string kSeenOfClasses = "seen_of_classes";
 constexpr std::size_t kFirstNeurons = 2;
 constexpr std::uint64_t kMost = std::uint64_t{1} << 53U;  // a class, or inputs won
+
+// Classes in ascending order, each followed by a number of samples.
+Result<std::map<std::uint64_t, std::uint64_t>> pairs_from(const Archive& archive,
+                                                          const std::string& name,
+                                                          const std::string& where) {
+  SOMATO_TRY(const auto found, archive.get<Array<std::int64_t>>(name, where));
+  SOMATO_TRY(const auto values, counts_from(archive, name, found->values.size(), kMost, where));
+  std::map<std::uint64_t, std::uint64_t> pairs;
+  for (std::size_t i = 0; i + 1 < values.size(); i += 2) pairs[values[i]] = values[i + 1];
+  if (2 * pairs.size() == values.size()) return pairs;
+  return damaged_model("'" + name + "' has no number of samples for each class", where);
+}
 
 }  // namespace
 
@@ -64,21 +80,59 @@ const Declarations<GrowingWhenRequiredParameters>& GrowingWhenRequiredParameters
                "Whether a neuron is also inserted, at the input, where the nearest neuron has "
                "another class than the input, in place of moving towards it. Needs a label. Not "
                "given in the paper.")
+          .add("most_share", &P::most_share, "", Range::between(0, 1),
+               "Greatest number of neurons of a class, as a share of its inputs: rounded down, at "
+               "least one. Beyond it, the class's nearest neuron moves in place of an insertion. "
+               "Automatic: no limit but most_neurons. With by_names only. Not given in the paper.")
+          .add("similarity", &P::similarity, "", Range::any(),
+               "Distance of neurons and inputs: euclidean, as in Marsland and others 2002, or "
+               "manhattan. Not given in the paper.")
+          .add_from(&P::refinement, RefinementParameters::declarations(),
+                    {"refine", "refine_passes", "refine_learning_rate", "refine_steepness_start",
+                     "refine_steepness_end"})
           .add_from(&P::growth, GrowthParameters::declarations(),
                     {"softmax", "softmax_exponent", "activity_norm", "seed"});
   return declared;
 }
 
+std::string reason_without_effect(const GrowingWhenRequiredParameters& parameters,
+                                  std::string_view name) {
+  if (name == "most_share" && !parameters.by_names) return "by_names is false";
+  return reason_without_effect(parameters.refinement, name);
+}
+
+Result<void> check(const GrowingWhenRequiredParameters& parameters) {
+  if (parameters.similarity != Similarity::kEuclidean &&
+      parameters.similarity != Similarity::kManhattan) {
+    return fail(
+        ErrorKind::kUsage,
+        fmt::format("a map that grows has no similarity '{}'", choice_name(parameters.similarity)),
+        "similarity", "choose euclidean or manhattan");
+  }
+  const Refinement refine = parameters.refinement.refine;
+  if (refine == Refinement::kNone) return {};
+  if (refine != Refinement::kGlvq) {
+    return fail(ErrorKind::kUsage,
+                fmt::format("a map that grows cannot be refined by '{}'", choice_name(refine)),
+                "refine", "choose glvq, or leave 'refine' out");
+  }
+  if (parameters.by_names) return {};
+  return fail(ErrorKind::kUsage,
+              "a map that grows is refined by the names that it learns, and learns none here",
+              "refine", "set by_names = true, or leave 'refine' out");
+}
+
 GrowingWhenRequired::GrowingWhenRequired(const GrowingWhenRequiredParameters& parameters,
                                          const NamedSamples& samples)
     : parameters_(parameters),
-      weights_(drawn_weights(samples.samples, kFirstNeurons, parameters.growth.seed)),
+      weights_(drawn_weights(samples.samples, kFirstNeurons, parameters.growth.seed,
+                             parameters.similarity)),
       habituation_(kFirstNeurons, 1.0),
       ages_(kFirstNeurons) {
-  GrowingWhenRequired::see(samples.samples);
-  if (!parameters_.by_names) return;
-  require(samples.classes.size() == samples.samples.count(),
+  require(!parameters_.by_names || samples.classes.size() == samples.samples.count(),
           "a map that learns names needs the class of each sample");
+  GrowingWhenRequired::see(samples);
+  if (!parameters_.by_names) return;
   for (const std::size_t drawn :
        drawn_samples(samples.samples, kFirstNeurons, parameters.growth.seed)) {
     names_.push_back(samples.classes[drawn]);
@@ -110,6 +164,13 @@ void GrowingWhenRequired::save(Archive& archive, const std::string& prefix) cons
   if (!parameters_.by_names) return;
   add_counts(archive, prefix + "names", names_);
   add_counts(archive, prefix + "won", won_);
+  if (!parameters_.most_share) return;
+  std::vector<std::uint64_t> seen;
+  for (const auto& [the_class, samples] : seen_of_class_) {
+    seen.push_back(the_class);
+    seen.push_back(samples);
+  }
+  add_counts(archive, prefix + kSeenOfClasses, seen);
 }
 
 Result<void> GrowingWhenRequired::load(const Archive& archive, const std::string& prefix,
@@ -128,6 +189,9 @@ Result<void> GrowingWhenRequired::load(const Archive& archive, const std::string
   if (parameters_.by_names) {
     SOMATO_TRY(names_, counts_from(archive, prefix + "names", neurons(), kMost, where));
     SOMATO_TRY(won_, counts_from(archive, prefix + "won", neurons(), kMost, where));
+    if (parameters_.most_share) {
+      SOMATO_TRY(seen_of_class_, pairs_from(archive, prefix + kSeenOfClasses, where));
+    }
   }
   habituation_ = std::move(habituation);
   auto next = ages.begin();
@@ -139,8 +203,20 @@ Result<void> GrowingWhenRequired::load(const Archive& archive, const std::string
   return {};
 }
 
-void GrowingWhenRequired::see(const Samples& samples) {
-  nearest_.see(samples, weights_.rows());
+void GrowingWhenRequired::see(const NamedSamples& samples) {
+  nearest_.see(samples.samples, weights_.rows(), parameters_.similarity);
+  if (!parameters_.most_share) return;
+  for (const std::size_t the_class : samples.classes) ++seen_of_class_[the_class];
+}
+
+void GrowingWhenRequired::refine(const Som& refined, const std::vector<std::size_t>& classes) {
+  require(parameters_.by_names && refined.neurons() == neurons() && classes.size() == neurons(),
+          "a refined map has the neurons of this one, which must learn names");
+  const Matrix<float> rows = refined.weights().to_matrix();
+  for (std::size_t neuron = 0; neuron < neurons(); ++neuron) {
+    weights_.place(neuron, rows.row(neuron));
+    names_[neuron] = classes[neuron];
+  }
 }
 
 double GrowingWhenRequired::distance_unit() const {
@@ -160,10 +236,10 @@ void GrowingWhenRequired::learn_named(std::span<const float> input, std::size_t 
   Winners nearest = weights_.nearest_two(input);
   connect(nearest.first, nearest.second);
   if (!grow_for(nearest, input, the_class)) {
-    if (!parameters_.by_names) {
+    if (parameters_.by_names) {
+      move_own(input, the_class);
+    } else {
       adapt(nearest.first, input);
-    } else if (names_[nearest.first] == the_class) {
-      move_to_mean(nearest.first, input);
     }
   }
   habituate(nearest.first, parameters_.winner_habituation_time);
@@ -177,12 +253,11 @@ void GrowingWhenRequired::learn_named(std::span<const float> input, std::size_t 
 // Returns whether a neuron was inserted; `nearest` changes if one of them was removed for it.
 bool GrowingWhenRequired::grow_for(Winners& nearest, std::span<const float> input,
                                    std::size_t the_class) {
-  const double distance =
-      std::sqrt(GrowingWeights::squared_distance(weights_[nearest.first], input));
+  const double distance = weights_.distance(nearest.first, input);
   const bool is_wrong = parameters_.by_names && names_[nearest.first] != the_class;
   const bool may_grow = habituation_[nearest.first] < parameters_.habituation_threshold;
   if (!is_wrong && !(is_far(distance) && may_grow)) return false;
-  if (!make_room(distance)) return false;
+  if (class_is_full(the_class) || !make_room(distance)) return false;
   nearest = weights_.nearest_two(input);
   weights_.move(insert(nearest, the_class), input, is_wrong ? 1.0 : parameters_.insertion_share);
   return true;
@@ -207,9 +282,7 @@ bool GrowingWhenRequired::make_room(double distance) {
   if (!is_full()) return true;
   if (!parameters_.replace_when_full || neurons() < 3) return false;
   const auto [kept, removed] = weights_.nearest_pair();
-  if (GrowingWeights::squared_distance(weights_[kept], weights_[removed]) >= distance * distance) {
-    return false;
-  }
+  if (weights_.distance(kept, weights_[removed]) >= distance) return false;
   for (const auto& [other, age] : ages_[removed]) {
     if (other == kept || ages_[kept].contains(other)) continue;
     ages_[kept][other] = age;
@@ -235,9 +308,22 @@ std::size_t GrowingWhenRequired::insert(const Winners& nearest, std::size_t the_
   return inserted;
 }
 
-void GrowingWhenRequired::move_to_mean(std::size_t winner, std::span<const float> input) {
-  won_[winner] += 1;
-  weights_.move(winner, input, 1.0 / static_cast<double>(won_[winner]));
+// With most_share: whether its neurons are that share of its samples already.
+bool GrowingWhenRequired::class_is_full(std::size_t the_class) const {
+  if (!parameters_.by_names || !parameters_.most_share) return false;
+  const auto kept = std::count(names_.begin(), names_.end(), the_class);
+  const auto seen = seen_of_class_.find(the_class);
+  const auto samples = seen == seen_of_class_.end() ? 0.0 : static_cast<double>(seen->second);
+  return static_cast<double>(kept) >= std::max(1.0, std::floor(*parameters_.most_share * samples));
+}
+
+// The nearest neuron of the input's class, the first in a tie, takes the mean of its inputs.
+void GrowingWhenRequired::move_own(std::span<const float> input, std::size_t the_class) {
+  const auto own =
+      weights_.nearest_of(input, [&](std::size_t neuron) { return names_[neuron] == the_class; });
+  if (!own) return;
+  won_[*own] += 1;
+  weights_.move(*own, input, 1.0 / static_cast<double>(won_[*own]));
 }
 
 void GrowingWhenRequired::adapt(std::size_t winner, std::span<const float> input) {
@@ -309,8 +395,8 @@ Som GrowingWhenRequired::map() const {
       if (neuron < other) edges.emplace_back(neuron, other);
     }
   }
-  return {parameters_of_grown(parameters_.growth, 1, neurons()), weights_.rows(),
-          std::make_shared<const NeuronGraph>(neurons(), std::move(edges))};
+  return {parameters_of_grown(parameters_.growth, 1, neurons(), parameters_.similarity),
+          weights_.rows(), std::make_shared<const NeuronGraph>(neurons(), std::move(edges))};
 }
 
 }  // namespace somato

@@ -6,10 +6,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "maps/online/growing_map.h"
 #include "maps/online/nearest_distances.h"
+#include "somato/maps/refinement.h"
+#include "somato/maps/som_parameters.h"
 
 namespace somato {
 
@@ -29,9 +32,20 @@ struct GrowingWhenRequiredParameters {
   std::size_t oldest_edge = 50;
   bool replace_when_full = false;
   bool by_names = false;
+  std::optional<double> most_share;
+  Similarity similarity = Similarity::kEuclidean;
+  RefinementParameters refinement;
 
   static const Declarations<GrowingWhenRequiredParameters>& declarations();
 };
+
+/// Why the parameter `name` has no effect with the other ones; empty if it has an effect.
+std::string reason_without_effect(const GrowingWhenRequiredParameters& parameters,
+                                  std::string_view name);
+
+/// Refuses (kUsage) a similarity that is neither Euclidean nor Manhattan, a refinement other than
+/// GLVQ, and one of a map that does not learn names.
+Result<void> check(const GrowingWhenRequiredParameters& parameters);
 
 /// With the input x, s is the nearest neuron and t the second nearest one, and both are connected
 /// by an edge of age 0. If exp(-|x - w_s| / distance_unit) < activity_threshold and the habituation
@@ -53,10 +67,14 @@ struct GrowingWhenRequiredParameters {
 ///
 /// With by_names, each neuron has the class of the input for which it was inserted. Where the
 /// nearest neuron has another class than the input, a neuron with the input as weights is inserted,
-/// whatever the distance and the habituation. Otherwise the winner takes the mean of the inputs
-/// that it has won since it was inserted (MacQueen 1967), no other neuron moves, and neurons
-/// without an edge are kept. Not in Marsland and others 2002; inserting what is named wrongly
-/// follows Hart 1968 (The condensed nearest neighbor rule).
+/// whatever the distance and the habituation. Where none is inserted, the nearest neuron of the
+/// input's class takes the mean of the inputs that moved it since it was inserted (MacQueen 1967),
+/// no other neuron moves, and neurons without an edge are kept. Not in Marsland and others 2002;
+/// inserting what is named wrongly follows Hart 1968 (The condensed nearest neighbor rule).
+///
+/// With most_share in addition, no neuron is inserted for a class that has as many neurons as this
+/// share of its samples, rounded down, but at least one. Samples that are learned again count
+/// again.
 class GrowingWhenRequired : public GrowingMap {
  public:
   /// Starts with two neurons at samples drawn at random. Throws InvalidArgument with by_names
@@ -68,7 +86,8 @@ class GrowingWhenRequired : public GrowingMap {
 
   void learn(std::span<const float> input) override { learn_named(input, 0); }
   void learn_named(std::span<const float> input, std::size_t the_class) override;
-  void see(const Samples& samples) override;
+  void see(const NamedSamples& samples) override;
+  void refine(const Som& refined, const std::vector<std::size_t>& classes) override;
   bool add_at(std::span<const float> input, std::size_t the_class) override;
   std::size_t neurons() const override { return weights_.neurons(); }
   Som map() const override;
@@ -89,7 +108,8 @@ class GrowingWhenRequired : public GrowingMap {
   bool is_far(double distance) const;
   std::size_t insert(const Winners& nearest, std::size_t the_class);
   bool grow_for(Winners& nearest, std::span<const float> input, std::size_t the_class);
-  void move_to_mean(std::size_t winner, std::span<const float> input);
+  bool class_is_full(std::size_t the_class) const;
+  void move_own(std::span<const float> input, std::size_t the_class);
   void adapt(std::size_t winner, std::span<const float> input);
   void habituate(std::size_t neuron, double time);
   void connect(std::size_t a, std::size_t b);
@@ -106,6 +126,7 @@ class GrowingWhenRequired : public GrowingMap {
   std::vector<std::map<std::size_t, std::size_t>> ages_;  // of the edges to others
   std::vector<std::uint64_t> names_;                      // classes, with by_names; otherwise empty
   std::vector<std::uint64_t> won_;  // inputs since a neuron was inserted, likewise
+  std::map<std::uint64_t, std::uint64_t> seen_of_class_;  // samples, with most_share
 };
 
 }  // namespace somato

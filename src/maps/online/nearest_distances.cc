@@ -1,7 +1,6 @@
 #include "maps/online/nearest_distances.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -15,29 +14,31 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// Squared, from the nearest row that differs.
-double nearest_row(std::span<const float> sample, const Matrix<float>& rows) {
+// The score of the nearest row that differs.
+double nearest_row(std::span<const float> sample, const Matrix<float>& rows,
+                   Similarity similarity) {
   double nearest = kNone;
   for (std::size_t row = 0; row < rows.rows(); ++row) {
-    const double squared = GrowingWeights::squared_distance(sample, rows.row(row));
-    if (squared > 0.0) nearest = std::min(nearest, squared);
+    const double score = distance_score(similarity, sample, rows.row(row));
+    if (score > 0.0) nearest = std::min(nearest, score);
   }
   return nearest;
 }
 
 }  // namespace
 
-void NearestDistances::see(const Samples& samples, const Matrix<float>& kept) {
+void NearestDistances::see(const Samples& samples, const Matrix<float>& kept,
+                           Similarity similarity) {
   const bool knows_few = count_ < static_cast<double>(kFewDistances);
   if (samples.count() < 2 && !knows_few) return;
   const Matrix<float> rows = dense_rows(samples);
   const std::size_t queries = std::min(rows.rows(), kMostQueries);
   for (std::size_t query = 0; query < queries; ++query) {
     const auto sample = rows.row(query * rows.rows() / queries);
-    double nearest = nearest_row(sample, rows);
-    if (knows_few) nearest = std::min(nearest, nearest_row(sample, kept));
+    double nearest = nearest_row(sample, rows, similarity);
+    if (knows_few) nearest = std::min(nearest, nearest_row(sample, kept, similarity));
     if (nearest == kNone) continue;
-    sum_ += std::sqrt(nearest);
+    sum_ += distance_of_score(similarity, nearest);
     count_ += 1.0;
   }
 }

@@ -7,6 +7,7 @@
 #include "somato/core/matrix.h"
 #include "somato/core/result.h"
 #include "somato/core/samples.h"
+#include "somato/maps/som_parameters.h"
 
 namespace somato {
 
@@ -20,7 +21,9 @@ class NearestDistances {
   /// than kFewDistances are known, the rows of `kept`, the neurons of the map, are candidates too:
   /// a map that learns single samples has kept those before. Later, a single sample adds nothing:
   /// its distance from a neuron depends on the unit itself.
-  void see(const Samples& samples, const Matrix<float>& kept);
+  /// `similarity` is Euclidean or Manhattan.
+  void see(const Samples& samples, const Matrix<float>& kept,
+           Similarity similarity = Similarity::kEuclidean);
 
   static constexpr std::size_t kMostQueries = 1000;
   static constexpr std::size_t kFewDistances = 10;

@@ -25,7 +25,9 @@ constexpr std::size_t kSeldom = 8;
 }  // namespace
 
 SomLearner::SomLearner(Som& som, std::size_t threads, bool incomplete)
-    : som_(som), incomplete_(incomplete), team_(std::make_unique<ThreadTeam>(threads)) {}
+    : som_(som), incomplete_(incomplete), team_(std::make_unique<ThreadTeam>(threads)) {
+  require(som.parameters().relevances.empty(), "a map with relevances does not learn further");
+}
 
 SomLearner::~SomLearner() {
   settle();

@@ -66,6 +66,7 @@ Compared compare(const Som& som, const SignalView& input, DecidingNeurons neuron
   if (parameters.similarity == Similarity::kManhattan) {
     all.left_out = elements.magnitude_of_others(known.view(), factor);
   }
+  scale_elements(som.input_scales(), all.x);
   for (std::size_t i = 0; i < input.values.size(); ++i) {
     if (!std::isnan(input.values[i])) continue;
     const auto place = elements.place_of(input.sparse ? input.indices[i] : i);

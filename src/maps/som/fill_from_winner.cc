@@ -17,8 +17,10 @@ namespace {
 
 std::size_t winner_by_known(const Som& som, std::span<const float> sample,
                             std::span<float> scores) {
-  const std::vector<KnownRun> runs = known_runs(sample);
-  const KnownScores known(som.parameters(), sample, runs);
+  std::vector<float> seen(sample.begin(), sample.end());
+  scale_elements(som.input_scales(), seen);
+  const std::vector<KnownRun> runs = known_runs(seen);
+  const KnownScores known(som.parameters(), seen, runs);
   known.write(kernels::lanes(som.weights()), som.neurons(), scores.data());
   return known.winner(som, scores.first(som.neurons()));
 }
@@ -28,11 +30,21 @@ void fill_from_winner(const Som& som, std::span<float> sample, std::span<float> 
   if (std::none_of(sample.begin(), sample.end(), is_missing)) return;
   const std::size_t winner = winner_by_known(som, sample, scores);
   for (std::size_t i = 0; i < sample.size(); ++i) {
-    if (std::isnan(sample[i])) sample[i] = som.weights()(winner, i);
+    if (std::isnan(sample[i])) sample[i] = som.weight(winner, i);
   }
 }
 
 }  // namespace
+
+bool has_missing(const Samples& samples) {
+  if (samples.is_sparse()) return false;
+  for (std::size_t i = 0; i < samples.count(); ++i) {
+    if (std::ranges::any_of(samples[i].values, [](float value) { return std::isnan(value); })) {
+      return true;
+    }
+  }
+  return false;
+}
 
 Result<void> check_takes_incomplete(const Som& som) {
   const SomParameters& parameters = som.parameters();

@@ -9,6 +9,9 @@
 
 namespace somato {
 
+/// Whether an element of dense samples is missing (NaN); sparse ones have none.
+bool has_missing(const Samples& samples);
+
 /// Whether the winner among the neurons of `som` is defined for inputs of which some elements are
 /// missing: for distances that are sums or maxima over elements. Errors (kUsage): maps by inner
 /// products or cosine distances, and maps that scale inputs to length 1, which is not known of such

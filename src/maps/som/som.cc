@@ -11,6 +11,7 @@
 #include "maps/reading/known_elements.h"
 #include "maps/reading/similarity_scores.h"
 #include "maps/som/product_reading.h"
+#include "maps/som/relevances.h"
 #include "somato/core/check.h"
 
 namespace somato {
@@ -46,7 +47,8 @@ Som::Som(SomParameters parameters, LaneMatrix<float> weights)
     : parameters_(std::move(parameters)),
       grid_(parameters_.grid()),
       weights_(std::move(weights)),
-      elements_(weights_.columns()) {
+      elements_(weights_.columns()),
+      input_scales_(scales_of_relevances(parameters_)) {
   require(weights_.rows() == grid_.size(), "a map needs one row of weights per neuron");
 }
 
@@ -54,6 +56,8 @@ Som::Som(SomParameters parameters, LaneMatrix<float> weights, StoredElements ele
     : Som(std::move(parameters), std::move(weights)) {
   elements_ = std::move(elements);
   require(weights_.columns() == elements_.count(), "a map needs a weight for each stored element");
+  require(input_scales_.empty() || input_scales_.size() == elements_.count(),
+          "a map needs a relevance for each element");
   // The greatest difference may be that of an element that is not stored, and layers count all.
   if (parameters_.similarity == Similarity::kChebyshev || !parameters_.layers.empty()) store_all();
 }
@@ -68,7 +72,9 @@ Som::Som(SomParameters parameters, const Matrix<float>& weights,
 
 float Som::weight(std::size_t neuron, std::size_t element) const {
   const auto place = elements_.place_of(element);
-  return place ? weights()(neuron, *place) : 0.0F;
+  if (!place) return 0.0F;
+  const float weight = weights()(neuron, *place);
+  return input_scales_.empty() ? weight : weight / input_scales_[*place];
 }
 
 void Som::store_all() {
@@ -113,13 +119,15 @@ std::span<const float> Som::prepare(const SignalView& input, SomWorkspace& works
   require(input.size == input_size(), "the input's size differs from the map's input size");
   const bool normalize = parameters_.normalize_input.value_or(false);
   workspace.left_out_ = 0.0;
-  if (!input.sparse && !normalize && elements_.all()) return input.values;
+  const bool as_it_is = !normalize && input_scales_.empty();
+  if (!input.sparse && as_it_is && elements_.all()) return input.values;
   workspace.input_.resize(elements_.count());
   const double factor = input_factor(input);
   workspace.left_out_ = elements_.gather(input, workspace.input_, factor);
   if (parameters_.similarity == Similarity::kManhattan) {
     workspace.left_out_ = elements_.magnitude_of_others(input, factor);
   }
+  scale_elements(input_scales_, workspace.input_);
   return workspace.input_;
 }
 

@@ -7,6 +7,7 @@
 
 #include "maps/som/layer_parts.h"
 #include "maps/som/map_parts.h"
+#include "maps/som/relevances.h"
 
 namespace somato {
 namespace {
@@ -122,6 +123,7 @@ void add_som(Archive& archive, const std::string& prefix, const Som& som) {
   if (!som.parameters().layers.empty()) {
     archive.add(prefix + "layers", layers_to_toml(som.parameters().layers));
   }
+  add_relevances(archive, prefix + "relevances", som.parameters());
   if (!som.elements().all()) add_elements(archive, prefix, som.elements());
   if (som.grid().graph()) add_graph(archive, prefix, *som.grid().graph());
 }
@@ -133,6 +135,8 @@ Result<Som> som_from(const Archive& archive, const std::string& prefix, const st
     return damaged_model("the map's weights do not fit its grid", where);
   }
   SOMATO_TRY(parameters.layers, layers_from(archive, prefix + "layers", weights.columns(), where));
+  SOMATO_TRY(parameters.relevances,
+             relevances_from(archive, prefix + "relevances", parameters, weights.columns(), where));
   if (archive.find(prefix + "graph")) {
     SOMATO_TRY(auto graph, read_graph(archive, prefix + "graph", weights.rows(), where));
     if (parameters.grid().rows() == 1) return Som(parameters, weights, std::move(graph));

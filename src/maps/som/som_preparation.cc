@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/core/memory.h"
 #include "maps/som/initial_weights.h"
+#include "maps/som/relevances.h"
 #include "maps/som/sample_range.h"
+#include "somato/core/check.h"
 #include "somato/maps/layers.h"
 #include "somato/maps/som.h"
 #include "somato/maps/som_training.h"
@@ -25,13 +28,24 @@ StoredElements worth_storing(const SomParameters& parameters, const Samples& sam
              : StoredElements(samples.size());
 }
 
-Samples normalized_dense(const Samples& samples) {
+Samples prepared_dense(const Samples& samples, bool normalize, std::span<const float> scales) {
   Matrix<float> rows(samples.count(), samples.size());
   for (std::size_t i = 0; i < rows.rows(); ++i) {
     write_dense(samples[i], rows.row(i));
-    normalize_length(rows.row(i));
+    if (normalize) normalize_length(rows.row(i));
+    scale_elements(scales, rows.row(i));
   }
   return Samples(std::move(rows));
+}
+
+std::vector<float> prepared_values(const SignalView& sample, bool normalize,
+                                   std::span<const float> scales) {
+  std::vector<float> values(sample.values.begin(), sample.values.end());
+  if (normalize) normalize_length(values);
+  for (std::size_t i = 0; i < values.size() && !scales.empty(); ++i) {
+    values[i] *= scales[sample.indices[i]];
+  }
+  return values;
 }
 
 }  // namespace
@@ -134,22 +148,24 @@ Result<PreparedTraining> prepare_training(const SomParameters& parameters, const
 
 const Samples& prepared_samples(const SomParameters& parameters, const Samples& samples,
                                 Samples& storage) {
+  const bool normalize = parameters.normalize_input.value_or(false);
   // NOLINTNEXTLINE(bugprone-return-const-ref-from-parameter): the caller keeps both alive
-  if (!parameters.normalize_input.value_or(false)) return samples;
+  if (!normalize && parameters.relevances.empty()) return samples;
+  const std::vector<float> scales = scales_of_relevances(parameters);
+  require(scales.empty() || scales.size() == samples.size(),
+          "samples have as many elements as the map's relevances");
   if (!samples.is_sparse()) {
-    storage = normalized_dense(samples);
+    storage = prepared_dense(samples, normalize, scales);
     return storage;
   }
-  std::vector<Signal> normalized;
-  normalized.reserve(samples.count());
+  std::vector<Signal> prepared;
+  prepared.reserve(samples.count());
   for (std::size_t i = 0; i < samples.count(); ++i) {
     const SignalView sample = samples[i];
-    std::vector<float> values(sample.values.begin(), sample.values.end());
-    normalize_length(values);
-    normalized.push_back(Signal::sparse(
-        {sample.size}, {sample.indices.begin(), sample.indices.end()}, std::move(values)));
+    prepared.push_back(Signal::sparse({sample.size}, {sample.indices.begin(), sample.indices.end()},
+                                      prepared_values(sample, normalize, scales)));
   }
-  storage = Samples::from_signals(normalized);
+  storage = Samples::from_signals(prepared);
   return storage;
 }
 

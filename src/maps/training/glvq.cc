@@ -16,6 +16,13 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
+// An update changes the logarithm of a relevance by at most this, so that few extreme samples do
+// not decide.
+constexpr double kMostStep = 1.0;
+
+// Weights keep their precision in the unit of the input, for pictures and files.
+constexpr double kLeastRelevance = 1e-6;
+
 // For each neuron the nearest sample seen so far.
 class NearestSamples {
  public:
@@ -74,6 +81,7 @@ Glvq::Glvq(Som& som, std::vector<std::size_t> class_of_neuron, double neighbours
       weights_(weights_to_change(som)),
       class_of_neuron_(std::move(class_of_neuron)),
       neighbours_(neighbours),
+      relevance_steps_(weights_.columns()),
       scores_(weights_.padded_rows()),
       candidates_(som.neurons()),
       row_(weights_.columns()) {
@@ -95,21 +103,57 @@ void Glvq::learn(std::span<const float> sample, std::size_t its_class, const Glv
   const std::vector<KnownRun> runs = known_runs(sample);
   const KnownScores known(som_.parameters(), sample, runs);
   known.write(kernels::lanes(std::as_const(weights_)), som_.neurons(), scores_.data());
-  const std::size_t right = nearest(known, its_class, true);
-  const std::size_t wrong = nearest(known, its_class, false);
-  const double to_right = distance(known, right);
-  const double to_wrong = distance(known, wrong);
-  const double sum = to_right + to_wrong;
+  Pair pair{nearest(known, its_class, true), nearest(known, its_class, false)};
+  pair.to_right = distance(known, pair.right);
+  pair.to_wrong = distance(known, pair.wrong);
+  const double sum = pair.to_right + pair.to_wrong;
   if (sum == 0.0) return;
-  const double slope = relative_slope(step.steepness, (to_right - to_wrong) / sum);
+  const double slope = relative_slope(step.steepness, (pair.to_right - pair.to_wrong) / sum);
+  if (step.relevance_rate > 0.0) {
+    add_relevance_steps(sample, runs, pair, step.relevance_rate * slope);
+  }
   const double rate = 2.0 * step.learning_rate * slope;
-  const double gain = rate * to_wrong / sum;
-  move(sample, runs, right, gain);
-  move(sample, runs, wrong, -rate * to_right / sum);
+  const double gain = rate * pair.to_wrong / sum;
+  move(sample, runs, pair.right, gain);
+  move(sample, runs, pair.wrong, -rate * pair.to_right / sum);
   if (neighbours_ == 0.0) return;
-  for (const std::size_t neuron : som_.grid().neighbours(right)) {
+  for (const std::size_t neuron : som_.grid().neighbours(pair.right)) {
     if (class_of_neuron_[neuron] == its_class) move(sample, runs, neuron, neighbours_ * gain);
   }
+}
+
+// The derivative of the relative distance difference by the logarithm of a relevance, times the
+// number of elements, so that the rate is that of an element with an average share of the distance.
+void Glvq::add_relevance_steps(std::span<const float> sample, const std::vector<KnownRun>& runs,
+                               const Pair& pair, double rate) {
+  const bool is_squared = som_.parameters().similarity == Similarity::kEuclidean;
+  const auto part = [&](std::size_t neuron, std::size_t d) {
+    const double difference = double{sample[d]} - double{weights_(neuron, d)};
+    return is_squared ? difference * difference : std::fabs(difference);
+  };
+  const double sum = pair.to_right + pair.to_wrong;
+  const double factor = 2.0 * rate * static_cast<double>(sample.size()) / sum;
+  for (const KnownRun& run : runs) {
+    for (std::size_t d = run.first; d < run.first + run.count; ++d) {
+      const double change =
+          pair.to_wrong / sum * part(pair.right, d) - pair.to_right / sum * part(pair.wrong, d);
+      relevance_steps_[d] = std::fma(factor, change, relevance_steps_[d]);
+    }
+  }
+}
+
+void Glvq::update_relevances() {
+  std::vector<double> relevances = som_.parameters().relevances;
+  relevances.resize(weights_.columns(), 1.0);
+  double sum = 0.0;
+  for (std::size_t d = 0; d < relevances.size(); ++d) {
+    relevances[d] *= exponential(-std::clamp(relevance_steps_[d], -kMostStep, kMostStep));
+    relevance_steps_[d] = 0.0;
+    sum += relevances[d];
+  }
+  const double factor = static_cast<double>(relevances.size()) / sum;
+  for (double& one : relevances) one = std::max(one * factor, kLeastRelevance);
+  som_.set_relevances(std::move(relevances));
 }
 
 // Among the neurons of the class, or of all others.

@@ -13,8 +13,9 @@ namespace somato {
 
 /// The settings of a step of GLVQ.
 struct GlvqStep {
-  double learning_rate = 0.0;  ///< 0 to 0.5: no neuron then moves beyond the sample.
-  double steepness = 0.0;      ///< That of the sigmoid, above 0.
+  double learning_rate = 0.0;   ///< 0 to 0.5: no neuron then moves beyond the sample.
+  double steepness = 0.0;       ///< That of the sigmoid, above 0.
+  double relevance_rate = 0.0;  ///< By how much relevances change, at least 0.
 };
 
 /// The classes that neurons begin with.
@@ -29,8 +30,8 @@ struct NeuronClasses {
 NeuronClasses classes_of_neurons(const Som& som, const Samples& seen,
                                  const std::vector<std::size_t>& classes);
 
-/// Learns one labelled sample after the other by GLVQ. Refers to the map, whose weights change, and
-/// which must be Euclidean or Manhattan without layers.
+/// Learns one labelled sample after the other by GLVQ, and relevances by GRLVQ. Refers to the map,
+/// whose weights and relevances change, and which must be Euclidean or Manhattan without layers.
 class Glvq {
  public:
   /// `class_of_neuron` has a class for each neuron; adjacent neurons learn the share `neighbours`.
@@ -43,17 +44,32 @@ class Glvq {
   /// unless has_both_sides(), or if both neurons are where the sample is.
   void learn(std::span<const float> sample, std::size_t its_class, const GlvqStep& step);
 
+  /// Changes the relevances of the map by the steps of all samples that were learned since the last
+  /// call with a `relevance_rate`. Their mean is then 1, unless one would be below 1e-6.
+  void update_relevances();
+
  private:
+  // The neurons nearest to a sample, of its class and of another one.
+  struct Pair {
+    std::size_t right = 0;
+    std::size_t wrong = 0;
+    double to_right = 0.0;
+    double to_wrong = 0.0;
+  };
+
   std::size_t nearest(const KnownScores& known, std::size_t the_class, bool of_class);
   double distance(const KnownScores& known, std::size_t neuron);
   void move(std::span<const float> sample, const std::vector<KnownRun>& runs, std::size_t neuron,
             double gain);
+  void add_relevance_steps(std::span<const float> sample, const std::vector<KnownRun>& runs,
+                           const Pair& pair, double rate);
 
   Som& som_;
   LaneMatrix<float>& weights_;
   std::vector<std::size_t> class_of_neuron_;
   std::vector<std::size_t> neurons_of_class_;
   double neighbours_;
+  std::vector<double> relevance_steps_;
   AlignedVector<float> scores_;
   std::vector<float> candidates_;
   std::vector<float> row_;

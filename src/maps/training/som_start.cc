@@ -44,6 +44,11 @@ Result<SomStart> start_plain(const SomParameters& parameters, const Samples& sam
 
 // All elements are stored, because new samples may use others than those learned before.
 Result<SomStart> start_from(const Som& trained, SomParameters parameters, const Samples& samples) {
+  if (!trained.parameters().relevances.empty()) {
+    return fail(ErrorKind::kUsage,
+                "a map with relevances, which labels have refined, does not learn further", {},
+                "train it anew with all samples");
+  }
   parameters.arithmetic = Arithmetic::kPlain;
   Samples storage;
   SOMATO_TRY(const auto ready, prepare_training(parameters, samples, storage));

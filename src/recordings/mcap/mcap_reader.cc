@@ -259,7 +259,7 @@ Result<void> McapReader::check_end(std::string_view data_end) {
   return check_summary();
 }
 
-// The summary is of no use to who reads from front to back, but a whole file has a whole one.
+// Reading from front to back does not need the summary, but a complete file has a complete one.
 Result<void> McapReader::check_summary() {
   message_place_ = place_;
   SOMATO_TRY(const std::uint32_t crc, pass_summary());

@@ -40,7 +40,7 @@ double squared_length(const SignalView& sample) {
 }
 
 // The elements that both store are at the same time the next ones of both.
-double sparse_absolute_distance(const SignalView& a, const SignalView& b) {
+double sparse_manhattan_distance(const SignalView& a, const SignalView& b) {
   double sum = 0.0;
   std::size_t i = 0;
   std::size_t j = 0;
@@ -78,7 +78,7 @@ class Distances {
   double of(const SignalView& candidate, double candidate_length, const SignalView& test,
             double length) const {
     if (!samples_.is_sparse()) return dense(candidate, test);
-    if (similarity_ == Similarity::kManhattan) return sparse_absolute_distance(candidate, test);
+    if (similarity_ == Similarity::kManhattan) return sparse_manhattan_distance(candidate, test);
     return candidate_length - 2.0 * inner_product(candidate, test) + length;
   }
 
@@ -140,6 +140,15 @@ double squared_distance(const SignalView& a, const SignalView& b) {
     return inner_product(a, a) - 2.0 * inner_product(a, b) + inner_product(b, b);
   }
   return dense_squared_distance(a.values.data(), b.values.data(), a.size);
+}
+
+double manhattan_distance(const SignalView& a, const SignalView& b) {
+  if (a.sparse) return sparse_manhattan_distance(a, b);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    sum += std::fabs(double{a.values[i]} - double{b.values[i]});
+  }
+  return sum;
 }
 
 std::size_t nearest_neighbour(const Samples& samples, const std::vector<std::size_t>& training,

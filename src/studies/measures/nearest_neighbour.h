@@ -12,6 +12,10 @@ namespace somato {
 /// products, so that equal ones may come out a rounding error away from 0.
 double squared_distance(const SignalView& a, const SignalView& b);
 
+/// The Manhattan distance of two signals of equal size, both dense or both sparse, summed in the
+/// order of their elements.
+double manhattan_distance(const SignalView& a, const SignalView& b);
+
 /// The training sample nearest to `samples[test]` in Euclidean distance, the first in a tie: its
 /// class is the prediction of the baseline for the test sample. Throws InvalidArgument without
 /// training samples.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "somato/core/result.h"
-#include "studies/suggestion/mutual_prediction.h"
+#include "studies/codes/mutual_prediction.h"
 
 namespace somato {
 

@@ -1,23 +1,22 @@
 #include "studies/suggestion/suggested_system.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ranges>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "studies/suggestion/rounding.h"
+#include "studies/codes/rounding.h"
 
 namespace somato {
 namespace {
 
-// docs/suggest.md#size-and-length
-constexpr double kLargest = 50.0;         // neurons, times the root of the samples
-constexpr std::size_t kIterations = 100;  // for each neuron
-constexpr std::size_t kLeastIterations = 20000;
-constexpr double kRadiusEnd = 0.2;
-constexpr double kTolerance = 0.001;
+// Those of with_size() that the map gets.
+constexpr std::array kOfSize{"rows",      "columns",   "initial_weights", "training",
+                             "epochs",    "tolerance", "radius_schedule", "radius_start",
+                             "radius_end"};
 
 // The names of modules in a setting.
 std::vector<std::string> names_in(const Value& value) {
@@ -104,15 +103,11 @@ class SystemOfParts {
     const std::size_t side =
         side_of_map(suggestion_.explorations, suggestion_.parameters.least_side.value_or(15),
                     suggestion_.size.share);
-    const std::size_t iterations = std::max(kLeastIterations, kIterations * side * side);
-    std::vector<SystemBuilder::Setting> settings{
-        {"input", {input}},
-        {"rows", {static_cast<std::int64_t>(side)}},
-        {"columns", {static_cast<std::int64_t>(side)}},
-        {"iterations", {static_cast<std::int64_t>(iterations)}},
-        {"tolerance", {kTolerance}},
-        {"radius_schedule", {choice_name(ScheduleShape::kExponential)}},
-        {"radius_end", {kRadiusEnd}}};
+    const SomParameters parameters = with_size({}, side, side);
+    std::vector<SystemBuilder::Setting> settings{{"input", {input}}};
+    for (const char* name : kOfSize) {
+      settings.push_back({name, SomParameters::declarations().find(name)->read(parameters)});
+    }
     if (suggestion_.similarity != Similarity::kEuclidean) {
       settings.push_back({"similarity", {choice_name(suggestion_.similarity)}});
     }
@@ -132,8 +127,8 @@ std::size_t learned_in_fold(std::size_t explorations) {
 }
 
 std::size_t side_of_map(std::size_t explorations, std::size_t least_side, double share) {
-  const auto samples = static_cast<double>(learned_in_fold(explorations));
-  const double neurons = std::min(share * samples, kLargest * std::sqrt(samples));
+  const std::size_t samples = learned_in_fold(explorations);
+  const double neurons = std::min(share * static_cast<double>(samples), most_neurons(samples));
   return std::max(static_cast<std::size_t>(std::sqrt(neurons)), least_side);
 }
 

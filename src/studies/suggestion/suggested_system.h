@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "studies/suggestion/candidates.h"
+#include "studies/codes/candidates.h"
 #include "studies/suggestion/suggestion.h"
 
 namespace somato {

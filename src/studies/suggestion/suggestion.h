@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "maps/training/size_checks.h"
 #include "somato/core/parameter.h"
 #include "somato/core/progress.h"
 #include "somato/core/result.h"
 #include "somato/core/value.h"
 #include "somato/graph/system_description.h"
+#include "somato/maps/measured_size.h"
 #include "somato/maps/som_parameters.h"
 #include "somato/recording/format.h"
 #include "somato/recording/recording.h"

@@ -127,9 +127,10 @@ std::string about_comparisons(const Suggestion& suggestion) {
 std::string about_size(const Suggestion& suggestion) {
   if (suggestion.size.checks.empty()) return {};
   std::string text =
-      "# Neurons, doubled until twice as many do not clearly lower the mean distance of each "
-      "fifth\n"
-      "# exploration from a map of the others:\n";
+      "# Neurons, and the mean distance of each fifth exploration from a map of the others; the "
+      "map "
+      "has\n"
+      "# the least number than which the best one is not better by more than one standard error:\n";
   for (const SizeCheck& check : suggestion.size.checks) {
     text += fmt::format("#   {}: {:.4g}\n", plural(check.neurons, "neuron"), check.error);
   }

@@ -157,7 +157,8 @@ std::string sweep_picture(const SweepResults& results) {
   for (std::size_t i = 0; i < results.sweep.claims.size(); ++i) {
     panels.push_back(panel_of(results, i));
   }
-  return draw_strips("Where the claims hold: " + results.sweep.system, caption_of(results), panels);
+  return draw_strips("Where the claims hold: " + names_of(results.sweep), caption_of(results),
+                     panels);
 }
 
 }  // namespace somato

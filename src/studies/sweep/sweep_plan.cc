@@ -34,13 +34,25 @@ Table::Entry nested(const std::vector<std::string>& names, const std::string& wh
   return entry;
 }
 
-Table changes_at(const SweepDescription& sweep, const SweepPoint& point) {
+bool has_module(const Table& file, const std::string& name) {
+  const Table* modules = table_in(file, "module");
+  return modules && table_in(*modules, name);
+}
+
+// Whether a key is of the exploration, or of a module that the system has.
+bool is_of_system(const Table& file, const std::vector<std::string>& names) {
+  return names.size() < 2 || names.front() != "module" || has_module(file, names[1]);
+}
+
+Table changes_at(const SweepDescription& sweep, const SweepPoint& point, const Table& file) {
   Table changes;
   for (std::size_t i = 0; i < point.size(); ++i) {
     if (!point[i]) continue;
     const Unknown& unknown = sweep.unknowns[i];
     for (const std::string& key : unknown.parameters.key) {
-      changes.entries.push_back(nested(split_key(key), unknown.where, point[i]->value));
+      const std::vector<std::string> names = split_key(key);
+      if (!is_of_system(file, names)) continue;
+      changes.entries.push_back(nested(names, unknown.where, point[i]->value));
     }
   }
   return changes;
@@ -98,28 +110,33 @@ Result<std::string> own_value(const Table& file, const std::string& key, const s
   return fail(unknown_name("key", key, where, all));
 }
 
-// The values of several keys, each value once.
-Result<std::string> own_values_of(const Table& file, const Unknown& unknown,
+bool any_has(const std::vector<NamedFile>& files, const std::vector<std::string>& names) {
+  return std::any_of(files.begin(), files.end(),
+                     [&](const NamedFile& file) { return is_of_system(file.content, names); });
+}
+
+// The values of several keys in all systems, each value once.
+Result<std::string> own_values_of(const std::vector<NamedFile>& files, const Unknown& unknown,
                                   const std::map<std::string, std::string>& explore_defaults) {
   std::vector<std::string> values;
   for (const std::string& key : unknown.parameters.key) {
-    auto value = own_value(file, key, unknown.where, explore_defaults);
-    if (!value) return value;
-    if (!contains(values, *value)) values.push_back(std::move(*value));
+    const bool is_known = any_has(files, split_key(key));
+    for (const NamedFile& file : files) {
+      if (is_known && !is_of_system(file.content, split_key(key))) continue;
+      auto value = own_value(file.content, key, unknown.where, explore_defaults);
+      if (!value) return value;
+      if (!contains(values, *value)) values.push_back(std::move(*value));
+    }
   }
   std::string text;
   for (const std::string& value : values) text += (text.empty() ? "" : ", ") + value;
   return text;
 }
 
-bool is_about_another(const Claim& claim) {
-  return claim.compares() && claim.than_system != claim.system;
-}
-
-// Claims that compare with another system would need a run of that one.
+// Claims that compare with another system need a run of that one.
 void take_claims(const ReproductionPlan& plan, SystemSweep& sweep) {
   for (const Claim& claim : plan.claims) {
-    if (is_about_another(claim)) {
+    if (claim.compares() && !contains(sweep.systems, claim.than_system)) {
       sweep.not_judged.push_back(claim.text);
     } else {
       sweep.claims.push_back(claim);
@@ -127,27 +144,82 @@ void take_claims(const ReproductionPlan& plan, SystemSweep& sweep) {
   }
 }
 
-bool is_claimed(const std::vector<Claim>& claims, const std::string& variation) {
-  return std::any_of(claims.begin(), claims.end(), [&](const Claim& claim) {
-    return claim.variation == variation || (claim.compares() && claim.than_variation == variation);
-  });
+bool is_about(const Claim& claim, const ReproductionPart& part) {
+  return (claim.system == part.system && claim.variation == part.variation) ||
+         (claim.compares() && claim.than_system == part.system &&
+          claim.than_variation == part.variation);
+}
+
+bool is_needed(const SystemSweep& sweep, const ReproductionPart& part) {
+  const auto needs = [&](const Claim& claim) { return is_about(claim, part); };
+  return std::any_of(sweep.claims.begin(), sweep.claims.end(), needs) ||
+         std::any_of(sweep.measured.begin(), sweep.measured.end(), needs);
+}
+
+// The changes of the sweep without modules that only other systems have.
+Table changes_for(const Table& changes, const NamedFile& system,
+                  const std::vector<NamedFile>& all) {
+  Table own = changes;
+  for (Table::Entry& entry : own.entries) {
+    auto* modules = entry.name == "module" ? std::get_if<Table>(&entry.content) : nullptr;
+    if (!modules) continue;
+    std::erase_if(modules->entries, [&](const Table::Entry& one) {
+      const std::vector<std::string> names{"module", one.name};
+      return !is_of_system(system.content, names) && any_has(all, names);
+    });
+  }
+  return own;
+}
+
+Result<void> check_systems(const SweepDescription& sweep, const std::vector<NamedFile>& systems) {
+  if (systems.empty()) return fail(ErrorKind::kUsage, "a sweep requires a system", "", "name one");
+  for (const NamedFile& system : systems) {
+    const Table::Entry* question = system.content.find("question");
+    if (!question) continue;
+    return fail(ErrorKind::kUsage, "a sweep requires a system, not a question", question->where,
+                "use the name of a system; 'somato systems' lists them");
+  }
+  const Table::Entry* claim = sweep.changes.find("claim");
+  if (!claim || systems.size() == 1) return {};
+  return fail(ErrorKind::kUsage, "the claims of a sweep would be those of each of its systems",
+              claim->where, "write [[claim]] in the files of the systems, or sweep one system");
+}
+
+// Adds the system, with the changes of the sweep.
+Result<void> add_system(const NamedFile& system, const std::vector<NamedFile>& all,
+                        SystemSweep& planned, ReproductionPlan& plan) {
+  SOMATO_TRY(auto changed,
+             with_changes(system.content, changes_for(planned.sweep.changes, system, all)));
+  const std::size_t first = plan.parts.size();
+  planned.files.push_back({system.name, std::move(changed)});
+  SOMATO_TRY_VOID(add_to_plan(planned.files.back(), {}, plan));
+  const ReproductionPart& part = plan.parts[first];
+  if (contains(planned.systems, part.system)) {
+    return fail(ErrorKind::kUsage, "two systems are called '" + part.system + "'",
+                part.description.where, "sweep one of them, or change the name of a study");
+  }
+  planned.systems.push_back(part.system);
+  return {};
 }
 
 }  // namespace
 
-Result<SystemSweep> plan_sweep(const SweepDescription& sweep, const NamedFile& system,
+std::string names_of(const SystemSweep& sweep) {
+  std::string names;
+  for (const std::string& system : sweep.systems) names += (names.empty() ? "" : ", ") + system;
+  return names;
+}
+
+Result<SystemSweep> plan_sweep(const SweepDescription& sweep, const std::vector<NamedFile>& systems,
                                const std::map<std::string, std::string>& explore_defaults) {
-  if (const Table::Entry* question = system.content.find("question")) {
-    return fail(ErrorKind::kUsage, "a sweep requires a system, not a question", question->where,
-                "use the name of a system; 'somato systems' lists them");
-  }
-  SOMATO_TRY(auto changed, with_changes(system.content, sweep.changes));
-  SystemSweep planned{{}, sweep, {system.name, std::move(changed)}, {}, {}, {}};
+  SOMATO_TRY_VOID(check_systems(sweep, systems));
+  SystemSweep planned{{}, sweep, {}, {}, {}, {}};
   ReproductionPlan plan;
-  SOMATO_TRY_VOID(add_to_plan(planned.file, {}, plan));
-  planned.system = plan.parts.front().system;
+  for (const NamedFile& system : systems) {
+    SOMATO_TRY_VOID(add_system(system, systems, planned, plan));
+  }
   for (const Unknown& unknown : sweep.unknowns) {
-    SOMATO_TRY(auto own, own_values_of(planned.file.content, unknown, explore_defaults));
+    SOMATO_TRY(auto own, own_values_of(planned.files, unknown, explore_defaults));
     planned.own_values.push_back(std::move(own));
   }
   take_claims(plan, planned);
@@ -159,14 +231,24 @@ Result<SystemSweep> plan_sweep(const SweepDescription& sweep, const NamedFile& s
   return planned;
 }
 
+Result<std::vector<NamedFile>> files_at(const SystemSweep& sweep, const SweepPoint& point) {
+  std::vector<NamedFile> files;
+  for (const NamedFile& system : sweep.files) {
+    SOMATO_TRY(auto file,
+               with_changes(system.content, changes_at(sweep.sweep, point, system.content)));
+    files.push_back({system.name, std::move(file)});
+  }
+  return files;
+}
+
 Result<ReproductionPlan> plan_of_point(const SystemSweep& sweep, const SweepPoint& point) {
-  SOMATO_TRY(const auto file, with_changes(sweep.file.content, changes_at(sweep.sweep, point)));
   ReproductionPlan plan;
-  SOMATO_TRY_VOID(add_to_plan({sweep.file.name, file}, {}, plan));
+  SOMATO_TRY(const auto files, files_at(sweep, point));
+  for (const NamedFile& file : files) {
+    SOMATO_TRY_VOID(add_to_plan(file, {}, plan));
+  }
   plan.claims = sweep.claims;
-  std::erase_if(plan.parts, [&](const ReproductionPart& part) {
-    return !is_claimed(sweep.claims, part.variation);
-  });
+  std::erase_if(plan.parts, [&](const ReproductionPart& part) { return !is_needed(sweep, part); });
   return plan;
 }
 

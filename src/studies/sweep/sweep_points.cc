@@ -108,16 +108,6 @@ std::vector<std::vector<double>> fractions_of(const SweepDescription& sweep) {
   return fractions;
 }
 
-SweepPoint at_fractions(const SweepDescription& sweep, const std::vector<double>& fractions) {
-  SweepPoint point;
-  for (std::size_t i = 0; i < fractions.size(); ++i) {
-    const UnknownParameters& unknown = sweep.unknowns[i].parameters;
-    const std::size_t cells = cell_count(unknown, *sweep.sweep.points);
-    point.emplace_back(SweepPlace{value_at(unknown, fractions[i]), part_of(fractions[i], cells)});
-  }
-  return point;
-}
-
 SweepCell part_cell(const UnknownParameters& range, std::size_t part, std::size_t parts) {
   const double begin = static_cast<double>(part) / static_cast<double>(parts);
   const double end = static_cast<double>(part + 1) / static_cast<double>(parts);
@@ -157,9 +147,19 @@ std::vector<SweepPoint> sweep_points(const SweepDescription& sweep) {
   }
   std::vector<SweepPoint> points;
   for (const std::vector<double>& fractions : fractions_of(sweep)) {
-    points.push_back(at_fractions(sweep, fractions));
+    points.push_back(point_at(sweep, fractions));
   }
   return points;
+}
+
+SweepPoint point_at(const SweepDescription& sweep, const std::vector<double>& places) {
+  SweepPoint point;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const UnknownParameters& unknown = sweep.unknowns[i].parameters;
+    const std::size_t cells = cell_count(unknown, *sweep.sweep.points);
+    point.emplace_back(SweepPlace{value_at(unknown, places[i]), part_of(places[i], cells)});
+  }
+  return point;
 }
 
 std::vector<SweepCell> sweep_cells(const SweepDescription& sweep, const Unknown& unknown) {

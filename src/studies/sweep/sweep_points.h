@@ -33,6 +33,10 @@ std::size_t point_count(const SweepDescription& sweep);
 /// The points of a sweep that was read, in their order.
 std::vector<SweepPoint> sweep_points(const SweepDescription& sweep);
 
+/// The point of a sweep whose unknowns all vary at once at these places in their ranges or among
+/// their values, each from 0 to 1.
+SweepPoint point_at(const SweepDescription& sweep, const std::vector<double>& places);
+
 /// The values of an unknown of the sweep, or the parts of its range, ascending.
 std::vector<SweepCell> sweep_cells(const SweepDescription& sweep, const Unknown& unknown);
 

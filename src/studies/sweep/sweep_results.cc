@@ -166,23 +166,37 @@ SweepJson point_json(const SweepDescription& sweep, const SweepPointResults& poi
           {"claims", std::move(claims)}};
 }
 
+// Nothing if it cannot be judged.
+std::optional<ClaimOutcome> outcome_of(const Claim& claim, const std::vector<PartResults>& parts) {
+  std::vector<ClaimOutcome> outcome = judge(std::vector<Claim>{claim}, parts);
+  if (outcome.empty() || !outcome.front().undecidable.empty()) return {};
+  return std::move(outcome.front());
+}
+
 }  // namespace
 
 SweepPointResults judge_point(const SystemSweep& sweep, const SweepPoint& point,
                               const std::vector<PartResults>& parts) {
-  SweepPointResults results{point, {}, {}};
+  SweepPointResults results{point, {}, {}, {}};
   for (const PartResults& part : parts) {
     for (const RecordingInfo& one : part.recordings) {
       if (!contains(results.recordings, one.name)) results.recordings.push_back(one.name);
     }
   }
-  for (const Claim& claim : sweep.claims) {
-    std::vector<ClaimOutcome> outcome = judge(std::vector<Claim>{claim}, parts);
-    results.claims.emplace_back();
-    if (outcome.empty() || !outcome.front().undecidable.empty()) continue;
-    results.claims.back() = std::move(outcome.front());
-  }
+  for (const Claim& claim : sweep.claims) results.claims.push_back(outcome_of(claim, parts));
+  for (const Claim& measure : sweep.measured)
+    results.measured.push_back(outcome_of(measure, parts));
   return results;
+}
+
+std::size_t SweepPointResults::pairs() const {
+  std::size_t pairs = 0;
+  for (const auto* outcomes : {&claims, &measured}) {
+    for (const auto& outcome : *outcomes) {
+      pairs = std::max(pairs, outcome ? outcome->values.size() : 0);
+    }
+  }
+  return pairs;
 }
 
 std::vector<std::size_t> ClaimEffects::by_effect() const {
@@ -225,7 +239,7 @@ std::string to_json(const SweepResults& results) {
   SweepJson points = SweepJson::array();
   for (const SweepPointResults& point : results.points) points.push_back(point_json(sweep, point));
   const SweepJson json = {{"version", kSweepVersion},
-                          {"system", results.sweep.system},
+                          {"system", names_of(results.sweep)},
                           {"design", choice_name(sweep.sweep.design)},
                           {"seed", sweep.sweep.seed},
                           {"pairs", sweep.sweep.pairs},

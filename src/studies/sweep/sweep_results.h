@@ -17,6 +17,10 @@ struct SweepPointResults {
   SweepPoint point;
   std::vector<std::string> recordings;              ///< Names of those it was run on, once each.
   std::vector<std::optional<ClaimOutcome>> claims;  ///< Nothing where it cannot be judged.
+  std::vector<std::optional<ClaimOutcome>> measured = {};  ///< The same for SystemSweep::measured.
+
+  /// The number of pairs that it was run on: the most values of a claim or measure.
+  std::size_t pairs() const;
 };
 
 /// Judges the claims of a sweep by what its parts found at a point.

@@ -26,7 +26,7 @@ namespace {
 const std::set<std::string> kKnownArrays{
     "file_format", "parameters",    "weights",      "positions", "edges",
     "elements",    "feature_names", "mean",         "scale",     "labels",
-    "class_names", "fill_values",   "samples_seen", "layers"};
+    "class_names", "fill_values",   "samples_seen", "layers",    "relevances"};
 
 // The version of the archive. Errors (kData): none, or a newer one.
 Result<void> check_version(const NpzArrays& arrays, const std::string& where) {
@@ -173,6 +173,10 @@ Result<Som> som_in(const NpzArrays& arrays, const std::string& where) {
     SOMATO_TRY(const auto texts, names_in(arrays, "layers"));
     if (texts.size() != 1) return damaged_model("'layers' is not a text", where);
     archive.add("layers", texts.front());
+  }
+  if (arrays.has("relevances")) {
+    SOMATO_TRY(auto relevances, list_in(arrays, "relevances"));
+    archive.add("relevances", Array<double>{{relevances.size()}, std::move(relevances)});
   }
   const bool is_graph = weights.shape.size() == 2;
   if (is_graph) SOMATO_TRY_VOID(add_graph(arrays, weights.weights.rows(), archive));

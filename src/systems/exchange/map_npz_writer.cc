@@ -75,7 +75,10 @@ std::string weights_array(const Som& som) {
   std::vector<float> weights(som.neurons() * som.input_size());
   float* next = weights.data();
   for (std::size_t neuron = 0; neuron < som.neurons(); ++neuron) {
-    for (std::size_t d = 0; d < som.input_size(); ++d) *next++ = som.weight(neuron, d);
+    for (std::size_t d = 0; d < som.input_size(); ++d) {
+      const auto place = som.elements().place_of(d);
+      *next++ = place ? som.weights()(neuron, *place) : 0.0F;
+    }
   }
   return npy_of_numbers<float>(weights, shape_with(som.grid(), som.input_size()));
 }
@@ -148,6 +151,9 @@ Result<void> add_map(MapWriter& file, const Som& som) {
   if (!som.parameters().layers.empty()) {
     const std::string layers = layers_to_toml(som.parameters().layers);
     SOMATO_TRY_VOID(file.add("layers", npy_of_texts({layers}, {})));
+  }
+  if (!som.parameters().relevances.empty()) {
+    SOMATO_TRY_VOID(file.add("relevances", list_array(som.parameters().relevances)));
   }
   if (som.elements().all()) return {};
   return file.add("elements", list_array(som.elements().listed()));

@@ -70,7 +70,8 @@ detail::FoldedWeights weights_of(const Som& som, std::size_t neuron) {
   const std::size_t count = som.elements().count();
   weights.values.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    weights.values.push_back(double{som.weights()(neuron, i)});
+    const std::size_t element = som.elements().all() ? i : listed[i];
+    weights.values.push_back(double{som.weight(neuron, element)});
   }
   return weights;
 }

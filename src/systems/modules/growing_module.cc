@@ -10,6 +10,7 @@
 #include "maps/online/growing_when_required.h"
 #include "maps/som/map_parts.h"
 #include "maps/som/som_archive.h"
+#include "maps/training/glvq.h"
 #include "somato/core/check.h"
 
 namespace somato::modules {
@@ -84,6 +85,20 @@ class KindOf : public GrowingKind {
     return false;
   }
 
+  RefinementParameters refinement() const override {
+    if constexpr (std::is_same_v<Map, GrowingWhenRequired>) {
+      RefinementParameters refinement = parameters_.refinement;
+      refinement.refine_neighbours = 0.0;  // edges connect what is near each other, in any class
+      return refinement;
+    }
+    return {};
+  }
+
+  Result<void> check_settings() const override {
+    if constexpr (std::is_same_v<Map, GrowingWhenRequired>) return check(parameters_);
+    return {};
+  }
+
   std::unique_ptr<GrowingMap> start(const Som& som) const override {
     if (!can_be<Map>(som.grid())) return nullptr;
     Parameters learned = parameters_;
@@ -100,6 +115,18 @@ class KindOf : public GrowingKind {
   Parameters parameters_;
 };
 
+// Refuses keys without effect.
+template <typename Parameters>
+Result<void> check_effects(const Parameters& parameters, const Table& table) {
+  if constexpr (std::is_same_v<Parameters, GrowingWhenRequiredParameters>) {
+    for (const Table::Entry& key : table.entries) {
+      const std::string reason = reason_without_effect(parameters, key.name);
+      if (!reason.empty()) return fail(without_effect(key.name, reason, key.where));
+    }
+  }
+  return {};
+}
+
 template <typename Parameters, typename Map>
 ModuleType growing_type(std::string name, std::string text) {
   ModuleType type{std::move(name),
@@ -110,6 +137,7 @@ ModuleType growing_type(std::string name, std::string text) {
                   Parameters::declarations().infos(),
                   [](const Table& table) -> Result<std::unique_ptr<Module>> {
                     SOMATO_TRY(auto parameters, read_parameters<Parameters>(table));
+                    SOMATO_TRY_VOID(check_effects(parameters, table));
                     return std::make_unique<GrowingModule>(
                         std::make_unique<KindOf<Parameters, Map>>(parameters));
                   }};
@@ -126,6 +154,7 @@ Grid GrowingModule::grid() const {
 }
 
 Result<PortType> GrowingModule::connect(const std::vector<Connection>& inputs) {
+  SOMATO_TRY_VOID(kind_->check_settings());
   const PortType& input = inputs.front().type;
   input_size_ = input.size();
   const std::size_t most = kind_->growth().most_neurons;
@@ -165,7 +194,22 @@ Result<void> GrowingModule::learn(const LearningPlan& plan, const TrainingInputs
   SOMATO_TRY_VOID(check_growing(samples));
   SOMATO_TRY(const auto learned, named(plan, samples));
   const GrowthParameters growth = growth_for(plan, samples.count());
-  return grow_from(kind_->start(growth, learned), plan, growth, learned);
+  SOMATO_TRY_VOID(grow_from(kind_->start(growth, learned), plan, growth, learned));
+  order_.reset();
+  if (kind_->refinement().refine == Refinement::kNone) return {};
+  return refine(plan, learned);
+}
+
+// Neurons then have the classes of what they win.
+Result<void> GrowingModule::refine(const LearningPlan& plan, const NamedSamples& named) {
+  SOMATO_TRY(auto refined,
+             refine_som(som_, named.samples, {named.classes.begin(), named.classes.end()},
+                        kind_->refinement(), {plan.seed, 1, plan.progress}));
+  const NeuronClasses found = classes_of_neurons(refined.som, named.samples, named.classes);
+  map_->refine(refined.som, found.of_neuron);
+  som_ = map_->map();
+  order_ = refined.order;
+  return {};
 }
 
 Result<NamedSamples> GrowingModule::named(const LearningPlan& plan, const Samples& samples) const {
@@ -183,7 +227,7 @@ Result<NeuronOrigins> GrowingModule::learn_further(const LearningPlan& plan,
   SOMATO_TRY(const auto learned, named(plan, inputs));
   std::unique_ptr<GrowingMap> map = map_->copy();
   map->resume();
-  map->see(inputs);
+  map->see(learned);
   SOMATO_TRY_VOID(grow_from(std::move(map), plan, growth_for(plan, inputs.count()), learned));
   return map_->origins();
 }

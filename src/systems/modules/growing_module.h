@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "maps/online/growing_map.h"
+#include "somato/maps/refinement.h"
 #include "systems/modules/map_module.h"
 #include "systems/modules/support.h"
 
@@ -29,6 +31,12 @@ class GrowingKind {
   /// Whether it learns the names of samples, and cannot learn without them.
   virtual bool learns_names() const = 0;
 
+  /// The refinement of a map that has grown, by labels.
+  virtual RefinementParameters refinement() const { return {}; }
+
+  /// Refuses settings that do not fit each other.
+  virtual Result<void> check_settings() const { return {}; }
+
   /// A map that learns further from `som`, before GrowingMap::load(); nullptr if `som` is not of
   /// this kind.
   virtual std::unique_ptr<GrowingMap> start(const Som& som) const = 0;
@@ -45,6 +53,7 @@ class GrowingModule : public MapModule {
 
   const Som& som() const override { return som_; }
   Grid grid() const override;
+  const RefinedOrder* refined_order() const override { return order_ ? &*order_ : nullptr; }
 
   Result<PortType> connect(const std::vector<Connection>& inputs) override;
   std::unique_ptr<Runner> start() const override;
@@ -64,12 +73,14 @@ class GrowingModule : public MapModule {
   GrowthParameters growth_for(const LearningPlan& plan, std::size_t samples) const;
   Result<void> grow_from(std::unique_ptr<GrowingMap> map, const LearningPlan& plan,
                          const GrowthParameters& growth, const NamedSamples& samples);
+  Result<void> refine(const LearningPlan& plan, const NamedSamples& samples);
   Result<NamedSamples> named(const LearningPlan& plan, const Samples& samples) const;
 
   std::unique_ptr<GrowingKind> kind_;
   std::size_t input_size_ = 0;
   std::unique_ptr<GrowingMap> map_;  // learns; som_ is its present map
   Som som_;
+  std::optional<RefinedOrder> order_;  // of the last training
 };
 
 }  // namespace somato::modules

@@ -5,12 +5,9 @@
 #include <numeric>
 #include <optional>
 
-#include "base/core/threads.h"
-#include "maps/reading/novelty_reader.h"
-#include "maps/reading/sample_reader.h"
 #include "maps/som/sample_range.h"
-#include "somato/core/check.h"
 #include "somato/graph/evaluation.h"
+#include "systems/walk/answer_reader.h"
 
 namespace somato {
 
@@ -23,36 +20,12 @@ std::string InputAnswer::name(const std::vector<std::string>& classes) const {
 }
 
 InputAnswer answer_to(const SystemModel& model, const SignalView& input) {
-  SampleCollector one;
-  one.add(input);
-  return answers_to(model, one.samples()).front();
+  return AnswerReader(model).answer(input);
 }
 
 std::vector<InputAnswer> answers_to(const SystemModel& model, const Samples& inputs,
                                     std::size_t threads) {
-  require(model.answer.has_value(), "a model without an answer cannot answer");
-  const SystemAnswer& answer = *model.answer;
-  require(!answer.labels.labelled().empty(), "an answer needs a neuron with a name");
-  if (inputs.count() == 0) return {};
-  const Som& som = *som_of(model.system, *model.system.find(answer.map));
-  const SampleReadings readings =
-      SampleReader(som, threads, answer.labels.labelled()).read(inputs, {false, true});
-  std::optional<NoveltyReader> novelty;
-  if (answer.novelty) novelty.emplace(*answer.novelty, som, answer.labels);
-  std::vector<InputAnswer> given(inputs.count());
-  for_each_range(inputs.count(), threads, [&](std::size_t begin, std::size_t end) {
-    SomWorkspace workspace;
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t named = readings.nearest[i];
-      given[i] = {readings.winners[i].first,
-                  readings.distances[i],
-                  *answer.labels[named],
-                  som.distance(inputs[i], named, workspace),
-                  {}};
-      if (novelty) given[i].novelty = novelty->of(inputs[i], given[i].nearest, given[i].distance);
-    }
-  });
-  return given;
+  return AnswerReader(model).answers(inputs, threads);
 }
 
 Result<std::size_t> answering_map(const SystemModel& model) {

@@ -27,7 +27,8 @@ struct FollowedSum {
 };
 
 std::optional<FollowedSum> followed_sum(const System& system, std::size_t map) {
-  if (!follows_from_products(som_of(system, map)->parameters())) return {};
+  const SomParameters& parameters = som_of(system, map)->parameters();
+  if (!follows_from_products(parameters) || !parameters.relevances.empty()) return {};
   std::size_t module = system.modules()[map].inputs.front();
   FollowedSum sum;
   if (const auto norm = modules::norm_divided_by(module_at(system, module))) {

@@ -21,7 +21,7 @@ using detail::WeightFolding;
 // Whether distances are in the unit of the elements of the map's input.
 bool has_unit_of_elements(const Som& som) {
   const SomParameters& p = som.parameters();
-  return p.layers.empty() && p.similarity != Similarity::kDotProduct &&
+  return p.layers.empty() && p.relevances.empty() && p.similarity != Similarity::kDotProduct &&
          p.similarity != Similarity::kCosine && !p.normalize_input.value_or(false);
 }
 

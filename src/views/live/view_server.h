@@ -26,8 +26,8 @@ struct ViewServerSettings {
   unsigned patience = 5000;           ///< Milliseconds for a request, or any part of an answer.
 };
 
-/// Serves a session to browsers of this machine, as docs/formats/view.md says: who does not come by
-/// the start address is refused.
+/// Serves a session to browsers of this machine, as docs/formats/view.md describes. Visitors
+/// who have not opened the start address are refused.
 class ViewServer {
  public:
   /// Takes a port and begins to serve. The session must outlive the server, and be stopped after

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/files/toml_file.h"
+#include "somato/graph/evaluation.h"
 #include "studies/folds/prepared_study.h"
 
 namespace somato::detail {
@@ -120,6 +121,21 @@ void find_answering_map(Evidence& evidence) {
   if (const auto map = find_map(*system, name, {})) evidence.map = *map;
 }
 
+Result<Samples> inputs_of(const Evidence& evidence, std::size_t threads) {
+  const System& system = *evidence.system();
+  const Recording& recording = *evidence.recording;
+  const std::size_t input = system.modules()[*evidence.map].inputs.front();
+  Activations activations(system.modules().size(), recording.explorations.size());
+  SOMATO_TRY_VOID(
+      evaluate(system, recording, evidence.explorations, {input}, threads, activations));
+  SampleCollector inputs;
+  for (const std::size_t exploration : evidence.explorations) {
+    const Samples& values = activations.find(input, exploration)->values;
+    inputs.add(values[values.count() - 1]);
+  }
+  return inputs.samples();
+}
+
 }  // namespace
 
 const System* Evidence::system() const {
@@ -137,6 +153,19 @@ Evidence find_evidence(const ReportFile& file, const PartResults& part,
   build_system(evidence);
   find_answering_map(evidence);
   return evidence;
+}
+
+void read_inputs(Evidence& evidence, std::size_t threads) {
+  if (!evidence.model || !evidence.map || !evidence.recording) return;
+  auto inputs = inputs_of(evidence, threads);
+  if (inputs) {
+    evidence.inputs = std::move(*inputs);
+    return;
+  }
+  evidence.missing.push_back(
+      "The samples on the saved map are left out, because the trained system cannot be run on the "
+      "recording (" +
+      to_string(inputs.error()) + ").");
 }
 
 }  // namespace somato::detail

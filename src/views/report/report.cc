@@ -8,12 +8,13 @@
 
 #include "studies/results/results_json.h"
 #include "systems/graph/graph_json.h"
-#include "views/report/curves.h"
+#include "views/curves/curves.h"
+#include "views/curves/frame_curves.h"
+#include "views/curves/part_settings.h"
+#include "views/report/deciding_json.h"
 #include "views/report/evidence.h"
-#include "views/report/frame_curves.h"
 #include "views/report/moments_json.h"
 #include "views/report/packed_json.h"
-#include "views/report/part_settings.h"
 #include "views/report/samples_json.h"
 #include "views/report/summary_json.h"
 #include "views/report/trained_json.h"
@@ -155,6 +156,7 @@ class ReportWriter {
 
  private:
   Result<void> add_system(const std::string& path, detail::Evidence& evidence) {
+    detail::read_inputs(evidence, sources_.threads);
     Json trained = detail::trained_json(evidence, sources_.threads);
     Json grid = nullptr;
     if (evidence.system() && evidence.map) {
@@ -180,6 +182,7 @@ class ReportWriter {
          {"things", detail::things_json(evidence, sources_)},
          {"not_given", detail::not_given_json(part.parameters)},
          {"trained", std::move(trained)},
+         {"deciding", detail::deciding_json(evidence, sources_.threads)},
          {"moments", moments_.numbers(evidence, is_as_it_stands(part))},
          {"missing", evidence.missing}});
     remember(evidence.missing);
@@ -205,6 +208,10 @@ class ReportWriter {
       if (system["trained"].is_null()) continue;
       for (const Json& planes : system["trained"]["planes"]) {
         static_cast<void>(place(planes["channel"]));
+      }
+      if (system["deciding"].is_null()) continue;
+      for (const Json& source : system["deciding"]["sources"]) {
+        static_cast<void>(place(source["channel"]));
       }
     }
     return check_channels(sources_.places, channels_);

@@ -10,7 +10,6 @@
 
 #include "maps/reading/sample_reader.h"
 #include "recordings/explorations/recording_json.h"
-#include "somato/graph/evaluation.h"
 #include "somato/maps/som_quality.h"
 #include "studies/results/short_number.h"
 #include "systems/model/channel_planes.h"
@@ -31,42 +30,17 @@ Json planes_json(const ChannelPlanes& planes) {
       {"values", packed_rows(planes.values.values(), planes.values.columns(), PackedBits::k16)}};
 }
 
-// The neurons of the saved map that win the samples.
-Result<std::vector<std::size_t>> winners_of(const Evidence& evidence, std::size_t threads) {
-  const System& system = *evidence.system();
-  const Recording& recording = *evidence.recording;
-  const std::size_t input = system.modules()[*evidence.map].inputs.front();
-  Activations activations(system.modules().size(), recording.explorations.size());
-  auto evaluated =
-      evaluate(system, recording, evidence.explorations, {input}, threads, activations);
-  if (!evaluated) return fail(std::move(evaluated.error()));
-  SampleCollector inputs;
-  for (const std::size_t exploration : evidence.explorations) {
-    const Samples& values = activations.find(input, exploration)->values;
-    inputs.add(values[values.count() - 1]);
-  }
-  const Som& som = *som_of(system, *evidence.map);
-  return first_winners(SampleReader(som, threads).read(inputs.samples()));
-}
-
 Json hits_json(const std::vector<std::size_t>& winners, std::size_t neurons) {
   std::vector<std::size_t> hits(neurons);
   for (const std::size_t winner : winners) ++hits[winner];
   return hits;
 }
 
-void add_winners(Evidence& evidence, std::size_t neurons, std::size_t threads, Json& json) {
-  if (!evidence.recording) return;
-  const auto winners = winners_of(evidence, threads);
-  if (winners) {
-    json["winners"] = *winners;
-    json["hits"] = hits_json(*winners, neurons);
-  } else {
-    evidence.missing.push_back(
-        "The samples on the saved map are left out, because the trained system cannot be run on "
-        "the recording (" +
-        to_string(winners.error()) + ").");
-  }
+void add_winners(const Evidence& evidence, const Som& som, std::size_t threads, Json& json) {
+  if (!evidence.inputs) return;
+  const auto winners = first_winners(SampleReader(som, threads).read(*evidence.inputs));
+  json["winners"] = winners;
+  json["hits"] = hits_json(winners, som.neurons());
 }
 
 void add_answer(const SystemModel& model, std::size_t neurons, Json& json) {
@@ -145,7 +119,7 @@ Json trained_json(Evidence& evidence, std::size_t threads) {
   json["u_matrix"] = short_numbers(std::span<const double>(u_matrix(som)));
   json["winners"] = Json::array();
   json["hits"] = Json::array();
-  add_winners(evidence, som.neurons(), threads, json);
+  add_winners(evidence, som, threads, json);
   json["planes"] = Json::array();
   for (const ChannelPlanes& planes : channel_planes(model.system, *evidence.map)) {
     json["planes"].push_back(planes_json(planes));

@@ -10,8 +10,8 @@
 
 namespace somato::live {
 
-/// JSON as text that grows, number by number: what has many numbers is not put together first. Who
-/// writes opens and closes, and brings a key before each value of an object.
+/// JSON as text that grows number by number, since a document of many numbers would cost more. The
+/// caller opens and closes brackets, and writes a key before each value of an object.
 class JsonWriter {
  public:
   /// Writes the text unchanged.
@@ -48,7 +48,7 @@ class JsonWriter {
   /// All digits; NaN and infinity are null.
   JsonWriter& exact_numbers(std::span<const float> values);
 
-  /// JSON knows no infinity, and nothing that is no number: that is null.
+  /// Infinity and NaN are null, because JSON does not contain them.
   template <typename Number>
   JsonWriter& finite(fmt::format_string<Number&> format, Number value) {
     return std::isfinite(value) ? add(format, value) : add("null");

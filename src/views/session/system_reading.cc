@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <tuple>
 
 #include "somato/graph/answers.h"
 
@@ -16,14 +15,6 @@ void scale_to_one(std::vector<float>& activity) {
   const float most = activity.empty() ? 0.0F : *std::max_element(activity.begin(), activity.end());
   if (!(most > 0.0F)) return;
   for (float& value : activity) value = std::max(0.0F, value / most);
-}
-
-std::vector<std::vector<std::size_t>> neurons_by_class(const SystemAnswer& answer) {
-  std::vector<std::vector<std::size_t>> neurons(answer.classes.size());
-  for (const std::size_t neuron : answer.labels.labelled()) {
-    neurons[*answer.labels[neuron]].push_back(neuron);
-  }
-  return neurons;
 }
 
 // All elements of the channel, so that they have the places of its frames.
@@ -68,13 +59,9 @@ double Reading::confidence() const {
 SystemReading::SystemReading(std::shared_ptr<const SystemModel> model, std::size_t map)
     : model_(std::move(model)),
       map_(map),
-      neurons_of_class_(neurons_by_class(*model_->answer)),
+      answers_(*model_),
       contributions_(contribution_reader(model_)),
-      walk_(model_->system, all_modules(model_->system), Outputs::kLatest) {
-  const SystemAnswer& answer = *model_->answer;
-  if (!answer.novelty) return;
-  novelty_.emplace(*answer.novelty, *som_of(model_->system, map_), answer.labels);
-}
+      walk_(model_->system, all_modules(model_->system), Outputs::kLatest) {}
 
 Result<SystemReading> SystemReading::build(std::shared_ptr<const SystemModel> model) {
   SOMATO_TRY(const auto map, answering_map(*model));
@@ -95,32 +82,8 @@ Result<void> SystemReading::follow(const Exploration& exploration,
   return walk_.follow(frames, dropped);
 }
 
-// The answer is the class of the labelled neuron that is most similar; the others follow by
-// distance.
-std::vector<CandidateClass> SystemReading::candidates(const SignalView& input) const {
-  const NeuronLabels& labels = model_->answer->labels;
-  if (labels.labelled().empty()) return {};
-  const Som& som = *som_of(model_->system, map_);
-  SomWorkspace workspace;
-  const std::size_t answer = *labels[som.winner_among(labels.labelled(), input, workspace)];
-  std::vector<CandidateClass> candidates;
-  for (std::size_t number = 0; number < neurons_of_class_.size(); ++number) {
-    if (neurons_of_class_[number].empty()) continue;
-    const std::size_t nearest = som.winner_among(neurons_of_class_[number], input, workspace);
-    candidates.push_back({number, som.distance(input, nearest, workspace), nearest});
-  }
-  std::sort(candidates.begin(), candidates.end(),
-            [&](const CandidateClass& a, const CandidateClass& b) {
-              const auto key = [&](const CandidateClass& one) {
-                return std::tuple(one.number != answer, one.distance, one.number);
-              };
-              return key(a) < key(b);
-            });
-  return candidates;
-}
-
 std::optional<ReadingContributions> SystemReading::contributions(
-    const std::vector<CandidateClass>& candidates) const {
+    const std::vector<NearestOfClass>& candidates) const {
   if (!contributions_ || candidates.size() < 2) return {};
   const InputContributions read =
       contributions_->read(input_of(map_), {candidates[0].neuron, candidates[1].neuron});
@@ -157,11 +120,10 @@ Result<std::optional<Reading>> SystemReading::read() {
       reading.maps.emplace_back(module, read_map(module, input_of(module)));
     }
   }
-  reading.candidates = candidates(input_of(map_));
+  reading.candidates = answers_.classes(input_of(map_));
   reading.contributions = contributions(reading.candidates);
-  if (novelty_ && !reading.candidates.empty()) {
-    const CandidateClass& nearest = reading.candidates.front();
-    reading.novelty = novelty_->of(input_of(map_), nearest.number, nearest.distance);
+  if (!reading.candidates.empty()) {
+    reading.novelty = answers_.novelty(input_of(map_), reading.candidates.front());
   }
   return std::optional<Reading>(std::move(reading));
 }

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "maps/reading/novelty_reader.h"
 #include "somato/core/result.h"
 #include "somato/graph/system_contributions.h"
 #include "somato/graph/system_model.h"
 #include "somato/recording/recording.h"
+#include "systems/walk/answer_reader.h"
 #include "systems/walk/walk.h"
 #include "views/session/folded_signal.h"
 
@@ -22,13 +22,6 @@ struct MapReading {
   std::size_t winner = 0;
   double distance = 0.0;        ///< The distance of the winner.
   std::vector<float> activity;  ///< A value a neuron; the greatest is 1, unless all are 0.
-};
-
-/// A class and how far its nearest neuron is.
-struct CandidateClass {
-  std::size_t number = 0;  ///< The number of the class.
-  double distance = 0.0;
-  std::size_t neuron = 0;  ///< The nearest neuron of the class.
 };
 
 /// The contributions of all elements of a channel to a reading; NaN for those that are not read.
@@ -48,7 +41,7 @@ struct ReadingContributions {
 struct Reading {
   std::vector<std::pair<std::size_t, FoldedSignal>> modules;  ///< By numbers; maps are not here.
   std::vector<std::pair<std::size_t, MapReading>> maps;
-  std::vector<CandidateClass> candidates;  ///< The nearest, which is the answer, first; or none.
+  std::vector<NearestOfClass> candidates;  ///< The nearest, which is the answer, first; or none.
   std::optional<double> novelty = {};      ///< That of the nearest, if there is a threshold.
   std::optional<ReadingContributions> contributions = {};  ///< If there is a next class.
 
@@ -92,16 +85,14 @@ class SystemReading {
  private:
   SystemReading(std::shared_ptr<const SystemModel> model, std::size_t map);
 
-  std::vector<CandidateClass> candidates(const SignalView& input) const;
   SignalView input_of(std::size_t module) const;
   std::optional<ReadingContributions> contributions(
-      const std::vector<CandidateClass>& candidates) const;
+      const std::vector<NearestOfClass>& candidates) const;
   MapReading read_map(std::size_t module, const SignalView& input) const;
 
   std::shared_ptr<const SystemModel> model_;
   std::size_t map_;
-  std::vector<std::vector<std::size_t>> neurons_of_class_;
-  std::optional<NoveltyReader> novelty_;
+  AnswerReader answers_;
   std::optional<ContributionReader> contributions_;  // of two classes or more
   Walk walk_;
   const Exploration* exploration_ = nullptr;  // that the walk goes through

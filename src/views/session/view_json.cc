@@ -111,7 +111,7 @@ void add_reading(JsonWriter& text, const SystemModel* model, const Reading* read
     return;
   }
   const std::vector<std::string>& classes = model->answer->classes;
-  const auto name = [&](const CandidateClass& one) { return json_text(Json(classes[one.number])); };
+  const auto name = [&](const NearestOfClass& one) { return json_text(Json(classes[one.number])); };
   text.open('{');
   text.key("answer").add("{}", json_text(Json(reading->name(classes))));
   text.key("confidence").finite("{:.6g}", reading->confidence());
@@ -122,7 +122,7 @@ void add_reading(JsonWriter& text, const SystemModel* model, const Reading* read
     text.add("null");
   }
   text.key("candidates").open('[');
-  for (const CandidateClass& one : reading->candidates) {
+  for (const NearestOfClass& one : reading->candidates) {
     text.separate();
     text.add(R"({{"name":{},"distance":)", name(one)).finite("{:.6g}", one.distance).add("}}");
   }

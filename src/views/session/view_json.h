@@ -46,7 +46,7 @@ std::vector<float> shown_values(const Channel& channel, double rate, std::size_t
 /// The JSON as text; what is no UTF-8 is replaced.
 std::string json_text(const Json& json);
 
-/// A frame as text in JSON: put together by hand, as it is many numbers many times a second.
+/// A frame as text in JSON, which is written directly: it has many numbers many times a second.
 std::string frame_text(const ShownMoment& moment, const SystemModel* model, const Reading* reading);
 
 }  // namespace somato::live

@@ -48,7 +48,7 @@ std::string title_of(const Grid& grid, std::size_t neuron) {
 SkinFrame frame_of(const Som& som, const std::vector<std::size_t>& inputs, std::size_t neuron) {
   SkinFrame frame{title_of(som.grid(), neuron), {}, {}};
   for (const std::size_t input : inputs) {
-    frame.values.push_back(som.weights()(neuron, input));
+    frame.values.push_back(som.weight(neuron, input));
   }
   return frame;
 }

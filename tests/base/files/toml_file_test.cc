@@ -178,6 +178,39 @@ TEST(TomlFile, RefusesWhatIsTooDeepOrTooLarge) {
   expect_toml_refused("#" + std::string(16 << 20, ' '), "f", "larger than");
 }
 
+// The content of a table without its locations.
+std::string content_of(const Table& table) {
+  std::string text = "{";
+  for (const Table::Entry& entry : table.entries) {
+    text += entry.name + ":";
+    if (const auto* value = std::get_if<Value>(&entry.content)) text += to_toml(*value);
+    if (const auto* inner = std::get_if<Table>(&entry.content)) text += content_of(*inner);
+    if (const auto* list = std::get_if<std::vector<Table>>(&entry.content)) {
+      for (const Table& one : *list) text += "-" + content_of(one);
+    }
+    text += ";";
+  }
+  return text + "}";
+}
+
+TEST(TomlFile, IsWrittenAsItIsRead) {
+  const std::string text =
+      "a = 1\nb = [0.1, 2.0]\n\"odd key\" = \"line\\nend\"\n[c]\nx = true\n[c.\"d.e\"]\ny = 1e300\n"
+      "[[f]]\nz = -1\n[f.g]\nw = \"\"\n[[f]]\n[[f.h]]\nv = 2\n[empty]\n";
+  const Table table = parse_toml(text, "a.toml").value();
+  const auto again = parse_toml(to_toml(table), "b.toml");
+  ASSERT_TRUE(again) << to_string(again.error()) << to_toml(table);
+  EXPECT_EQ(content_of(*again), content_of(table));
+  EXPECT_EQ(to_toml(*again), to_toml(table));
+}
+
+// A value after a table would be one of the table.
+TEST(TomlFile, ValuesAreWrittenBeforeTables) {
+  const Table table{
+      "", {{"t", "", Table{"", {{"x", "", Value{std::int64_t{1}}}}}}, {"a", "", Value{true}}}};
+  EXPECT_EQ(to_toml(table), "a = true\n\n[t]\nx = 1\n");
+}
+
 TEST(TomlFile, IsReadFromAFile) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_toml(folder.with("a.toml", "a = 1\n"))->entries[0].where,

@@ -109,6 +109,37 @@ TEST(HandPoses, SpreadSlowChannelsOverTheSameTime) {
   EXPECT_THROW(player->poses(exploration, 100), InvalidArgument);
 }
 
+// A value that is missing is recorded as 0, which is a pose that the hand did not have.
+TEST(HandPoses, StayWhereAMissingJointWasLastKnown) {
+  Exploration exploration;
+  Channel joints;
+  joints.name = "joints";
+  joints.frames = Matrix<float>(4, 11);
+  joints.valid = Matrix<std::uint8_t>(4, 11, 1);
+  const auto set = [&](std::size_t row, float angle) {
+    for (float& value : joints.frames.row(row)) value = angle;
+  };
+  set(1, 20.0F);
+  set(3, 40.0F);
+  for (const std::size_t missing : {std::size_t{0}, std::size_t{2}}) joints.valid(missing, 4) = 0;
+  exploration.channels = {joints};
+  exploration.channels[0].frames(0, 4) = 0.0F;
+  Exploration known = exploration;
+  known.channels[0].valid = {};
+  known.channels[0].frames(0, 4) = 20.0F;
+  known.channels[0].frames(2, 4) = 20.0F;
+  const HandScene scene = scene_with(Hand::kLucs3, sphere_thing());
+  const auto player = play_hand(scene);
+  const auto oracle = play_hand(scene);
+  for (std::size_t frame = 0; frame < 4; ++frame) {
+    EXPECT_EQ(farthest(player->poses(exploration, frame), oracle->poses(known, frame)), 0.0)
+        << frame;
+  }
+  for (std::uint8_t& mark : exploration.channels[0].valid.values()) mark = 0;
+  known.channels[0].frames = Matrix<float>(4, 11);
+  EXPECT_EQ(farthest(player->poses(exploration, 3), oracle->poses(known, 3)), 0.0);
+}
+
 TEST(HandPoses, KnowWhichHandRecorded) {
   Exploration exploration;
   EXPECT_FALSE(is_of_hand(exploration, Hand::kLucs2));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/files/toml_file.h"
+
 #include <numbers>
 
 #include "bodies/support/object_tables.h"
@@ -260,6 +262,26 @@ TEST(ObjectTable, AMissingFileIsTheSystemsError) {
   const auto missing = read_object_table("no/such.toml", declared());
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().kind, ErrorKind::kSystem);
+}
+
+TEST(ObjectTable, IsReadFromATableOfAnotherFile) {
+  const Table file =
+      parse_toml(
+          "[explore.material.cork]\nstiffness = 8.0\n[explore.object.stopper]\nshape = 'cylinder'\n"
+          "diameter = 20\nheight = 30\nmaterial = 'cork'\n",
+          "system.toml")
+          .value();
+  const Table* explore = table_in(file, "explore");
+  ASSERT_NE(explore, nullptr);
+  const auto read = object_table_of(*explore, "system.toml", {});
+  ASSERT_TRUE(read) << to_string(read.error());
+  ASSERT_EQ(read->objects.size(), 1U);
+  EXPECT_EQ(read->objects[0].name, "stopper");
+  EXPECT_EQ(read->materials[0].stiffness, 8.0);
+  const auto wrong = object_table_of(
+      parse_toml("[object.a]\nshape = 'spere'\n", "system.toml").value(), "system.toml", {});
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().where, "system.toml:2");
 }
 
 }  // namespace

@@ -106,6 +106,113 @@ TEST(Glvq, AdjacentNeuronsOfTheClassFollow) {
   }
 }
 
+// Two neurons, relevances and a sample, for which the cost f(mu) of GLVQ is known from distances.
+struct CostProblem {
+  Som som;
+  std::vector<double> relevances;
+  Matrix<float> sample;
+
+  double mu() const {
+    Som weighted = som;
+    weighted.set_relevances(relevances);
+    std::vector<double> distances = distances_of(weighted, sample);
+    if (som.parameters().similarity == Similarity::kEuclidean) {
+      for (double& one : distances) one *= one;
+    }
+    return (distances[0] - distances[1]) / (distances[0] + distances[1]);
+  }
+
+  double cost(double steepness) const { return 1.0 / (1.0 + std::exp(-steepness * mu())); }
+};
+
+CostProblem cost_problem(Similarity similarity, Random& random) {
+  const std::size_t size = 1 + random.below(6);
+  CostProblem problem{som_of_rows(1, 2, similarity, random_rows(2, size, random)),
+                      {},
+                      random_rows(1, size, random)};
+  for (std::size_t d = 0; d < size; ++d) problem.relevances.push_back(0.2 + 3.0 * random.uniform());
+  return problem;
+}
+
+// Steps of the logarithms of relevances are those of the cost's derivative by them, times the
+// number of elements and 4 / steepness; the normalization adds the same number to all.
+TEST(Glvq, RelevancesFollowTheDerivativeOfTheCost) {
+  Random random(97);
+  for (int i = 0; i < 200; ++i) {
+    const Similarity similarity = i % 2 == 0 ? Similarity::kEuclidean : Similarity::kManhattan;
+    const CostProblem problem = cost_problem(similarity, random);
+    constexpr double kSteepness = 3.0;
+    constexpr double kRate = 0.05;
+    Som som = problem.som;
+    som.set_relevances(problem.relevances);
+    std::vector<float> seen(problem.sample.row(0).begin(), problem.sample.row(0).end());
+    for (std::size_t d = 0; d < seen.size(); ++d) seen[d] *= som.input_scales()[d];
+    Glvq glvq(som, {0, 1}, 0.0);
+    glvq.learn(seen, 0, {0.0, kSteepness, kRate});
+    glvq.update_relevances();
+    std::vector<double> rest;  // of the steps
+    double sum = 0.0;
+    for (std::size_t d = 0; d < seen.size(); ++d) {
+      constexpr double kStep = 1e-3;
+      CostProblem more = problem;
+      CostProblem less = problem;
+      more.relevances[d] *= std::exp(kStep);
+      less.relevances[d] *= std::exp(-kStep);
+      const double derivative = (more.cost(kSteepness) - less.cost(kSteepness)) / (2.0 * kStep);
+      const double expected =
+          -kRate * static_cast<double>(seen.size()) * 4.0 / kSteepness * derivative;
+      const double found = std::log(som.parameters().relevances[d] / problem.relevances[d]);
+      rest.push_back(found - expected);
+      sum += som.parameters().relevances[d];
+    }
+    for (const double one : rest) EXPECT_NEAR(one, rest[0], 2e-4) << i;
+    EXPECT_NEAR(sum, static_cast<double>(seen.size()), 1e-9);
+  }
+}
+
+// Weights of a Euclidean map move along the cost's derivative, divided by the relevance of the
+// element, and those of a Manhattan map in its sense.
+TEST(Glvq, WeightsFollowTheDerivativeOfTheCostWithRelevances) {
+  Random random(98);
+  for (int i = 0; i < 200; ++i) {
+    const Similarity similarity = i % 2 == 0 ? Similarity::kEuclidean : Similarity::kManhattan;
+    const CostProblem problem = cost_problem(similarity, random);
+    constexpr double kSteepness = 3.0;
+    Som som = problem.som;
+    som.set_relevances(problem.relevances);
+    std::vector<double> distances = distances_of(som, problem.sample);
+    std::vector<float> seen(problem.sample.row(0).begin(), problem.sample.row(0).end());
+    for (std::size_t d = 0; d < seen.size(); ++d) seen[d] *= som.input_scales()[d];
+    Glvq(som, {0, 1}, 0.0).learn(seen, 0, {0.1, kSteepness});
+    const double sum = distances[0] * distances[0] + distances[1] * distances[1];
+    for (std::size_t neuron = 0; neuron < 2; ++neuron) {
+      for (std::size_t d = 0; d < seen.size(); ++d) {
+        constexpr float kStep = 2e-3F;
+        const double apart =
+            std::fabs(double{problem.sample(0, d)} - double{problem.som.weight(neuron, d)});
+        if (similarity == Similarity::kManhattan && apart < 0.01) continue;
+        Matrix<float> weights = problem.som.weights().to_matrix();
+        weights(neuron, d) += kStep;
+        const CostProblem more{Som(problem.som.parameters(), weights), problem.relevances,
+                               problem.sample};
+        weights(neuron, d) -= 2.0F * kStep;
+        const CostProblem less{Som(problem.som.parameters(), weights), problem.relevances,
+                               problem.sample};
+        const double derivative =
+            (more.cost(kSteepness) - less.cost(kSteepness)) / (2.0 * double{kStep});
+        const double moved = double{som.weight(neuron, d)} - double{problem.som.weight(neuron, d)};
+        if (similarity == Similarity::kManhattan) {
+          EXPECT_LE(moved * derivative, 1e-9) << i;
+        } else {
+          EXPECT_NEAR(moved, -2.0 * 0.1 * sum / kSteepness * derivative / problem.relevances[d],
+                      2e-4 * (1.0 + std::fabs(moved)))
+              << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(Glvq, WithoutANeuronOfBothSidesNothingMoves) {
   const Som before = som_of_rows(1, 2, Similarity::kEuclidean, Matrix<float>(2, 1, {1, 2}));
   Som som = before;

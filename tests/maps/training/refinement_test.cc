@@ -38,7 +38,9 @@ class SlowGlvq {
         manhattan_(som.parameters().similarity == Similarity::kManhattan),
         weights_(som.weights().to_matrix()),
         samples_(samples),
-        classes_(std::move(classes)) {
+        classes_(std::move(classes)),
+        relevances_(samples.columns(), 1.0),
+        changes_(samples.columns()) {
     name_neurons();
   }
 
@@ -51,12 +53,17 @@ class SlowGlvq {
     DrawSequence draws(Draws::kWithoutReplacement, labelled.size(), seed);
     for (double done = 0; done < total; ++done) {
       const double part = done / total;
+      relevance_rate_ =
+          p.refine == Refinement::kGrlvq ? p.refine_relevance_rate * (1.0 - part) : 0.0;
       const double steepness =
           p.refine_steepness_start + part * (p.refine_steepness_end - p.refine_steepness_start);
       learn(labelled[draws.next()], p.refine_learning_rate * (1.0 - part), steepness,
             p.refine_neighbours);
+      if (std::fmod(done + 1.0, 64.0) == 0.0 || done + 1.0 == total) change_relevances();
     }
   }
+
+  const std::vector<double>& relevances() const { return relevances_; }
 
   const Matrix<float>& weights() const { return weights_; }
 
@@ -66,9 +73,39 @@ class SlowGlvq {
     for (std::size_t d = 0; d < samples_.columns(); ++d) {
       if (std::isnan(samples_(sample, d))) continue;
       const double apart = double{samples_(sample, d)} - double{weights_(neuron, d)};
-      sum += manhattan_ ? std::fabs(apart) : apart * apart;
+      sum += relevances_[d] * (manhattan_ ? std::fabs(apart) : apart * apart);
     }
     return sum;
+  }
+
+  // By the logarithms of the relevances: those of the relative distance difference.
+  void add_changes(std::size_t sample, std::size_t right, std::size_t wrong, double slope) {
+    const double near = distance(sample, right);
+    const double far = distance(sample, wrong);
+    const auto size = static_cast<double>(relevances_.size());
+    for (std::size_t d = 0; d < relevances_.size(); ++d) {
+      if (std::isnan(samples_(sample, d))) continue;
+      const double of_right = std::fabs(double{samples_(sample, d)} - double{weights_(right, d)});
+      const double of_wrong = std::fabs(double{samples_(sample, d)} - double{weights_(wrong, d)});
+      const double power = manhattan_ ? 1.0 : 2.0;
+      const double derivative =
+          2.0 * relevances_[d] *
+          (far * std::pow(of_right, power) - near * std::pow(of_wrong, power)) /
+          ((near + far) * (near + far));
+      changes_[d] -= relevance_rate_ * slope * size * derivative;
+    }
+  }
+
+  void change_relevances() {
+    double sum = 0.0;
+    for (std::size_t d = 0; d < relevances_.size(); ++d) {
+      relevances_[d] *= std::exp(std::min(1.0, std::max(-1.0, changes_[d])));
+      changes_[d] = 0.0;
+      sum += relevances_[d];
+    }
+    for (double& one : relevances_) {
+      one = std::max(1e-6, one * static_cast<double>(relevances_.size()) / sum);
+    }
   }
 
   void name_neurons() {
@@ -111,6 +148,7 @@ class SlowGlvq {
     if (near + far == 0.0) return;
     const double sigmoid = 1.0 / (1.0 + std::exp(-steepness * (near - far) / (near + far)));
     const double slope = 4.0 * sigmoid * (1.0 - sigmoid);
+    if (relevance_rate_ > 0.0) add_changes(sample, *right, *wrong, slope);
     const double gain = 2.0 * rate * slope * far / (near + far);
     move(sample, *right, gain);
     move(sample, *wrong, -2.0 * rate * slope * near / (near + far));
@@ -134,6 +172,9 @@ class SlowGlvq {
   Matrix<float> weights_;
   const Matrix<float>& samples_;
   SampleClasses classes_;
+  std::vector<double> relevances_;
+  std::vector<double> changes_;
+  double relevance_rate_ = 0.0;
   std::vector<std::size_t> named_;
 };
 
@@ -208,6 +249,8 @@ TEST(Refinement, IsThePlainLoops) {
     RefinementParameters parameters = glvq_parameters();
     parameters.refine_learning_rate = 0.5 * random.uniform();
     parameters.refine_neighbours = random.uniform();
+    if (i % 4 >= 2) parameters.refine = Refinement::kGrlvq;
+    parameters.refine_relevance_rate = 0.2 * random.uniform();
     const std::uint64_t seed = random.next();
     SlowGlvq slow(problem.som, problem.samples, problem.classes);
     slow.run(parameters, seed);
@@ -218,6 +261,11 @@ TEST(Refinement, IsThePlainLoops) {
       for (std::size_t d = 0; d < problem.samples.columns(); ++d) {
         ASSERT_NEAR(refined->som.weight(n, d), slow.weights()(n, d), 1e-4) << i;
       }
+    }
+    const std::vector<double>& relevances = refined->som.parameters().relevances;
+    ASSERT_EQ(relevances.empty(), parameters.refine == Refinement::kGlvq);
+    for (std::size_t d = 0; d < relevances.size(); ++d) {
+      ASSERT_NEAR(relevances[d], slow.relevances()[d], 1e-4) << i;
     }
   }
 }
@@ -236,6 +284,114 @@ TEST(Refinement, HasTheSameBitsForAllThreadsAndInstructionSets) {
   const auto other =
       refine_som(problem.som, samples, problem.classes, glvq_parameters(), {8, 1, {}});
   EXPECT_NE(other->som.weights(), refined->som.weights());
+}
+
+RefinementParameters grlvq_parameters() {
+  RefinementParameters parameters = glvq_parameters();
+  parameters.refine = Refinement::kGrlvq;
+  return parameters;
+}
+
+TEST(Refinement, RelevancesHaveTheSameBitsForAllThreadsAndInstructionSets) {
+  const RefinementProblem problem = alternating_problem();
+  const Samples samples(problem.samples);
+  const auto refined =
+      refine_som(problem.som, samples, problem.classes, grlvq_parameters(), {7, 1, {}});
+  testing::for_each_instruction_set([&](InstructionSet) {
+    const auto again =
+        refine_som(problem.som, samples, problem.classes, grlvq_parameters(), {7, 3, {}});
+    EXPECT_EQ(again->som.weights(), refined->som.weights());
+    EXPECT_EQ(again->som.parameters().relevances, refined->som.parameters().relevances);
+  });
+}
+
+TEST(Refinement, WithoutARateRelevancesAreAllOneAndTheMapThatOfGlvq) {
+  Random random(96);
+  for (int i = 0; i < 40; ++i) {
+    const RefinementProblem problem = refinement_problem(random, i % 2 == 1);
+    const Samples samples(problem.samples);
+    RefinementParameters parameters = grlvq_parameters();
+    parameters.refine_relevance_rate = 0.0;
+    const auto with = refine_som(problem.som, samples, problem.classes, parameters);
+    const auto without = refine_som(problem.som, samples, problem.classes, glvq_parameters());
+    ASSERT_TRUE(with && without);
+    EXPECT_EQ(with->som.weights(), without->som.weights());
+    EXPECT_EQ(with->som.parameters().relevances,
+              std::vector<double>(problem.samples.columns(), 1.0));
+    EXPECT_EQ(with->order.after.quantization_error, without->order.after.quantization_error);
+    EXPECT_EQ(with->order.after.topographic_error, without->order.after.topographic_error);
+  }
+}
+
+// The first of two columns has the classes; the second is wider and has none; the third is
+// constant.
+TEST(Refinement, AColumnThatSeparatesClassesBecomesRelevant) {
+  for (const Similarity similarity : {Similarity::kEuclidean, Similarity::kManhattan}) {
+    const RefinementProblem problem = alternating_problem();
+    Matrix<float> rows(problem.samples.rows(), 3);
+    for (std::size_t i = 0; i < rows.rows(); ++i) {
+      rows(i, 0) = problem.samples(i, 0);
+      rows(i, 1) = problem.samples(i, 1);
+      rows(i, 2) = 5.0F;
+    }
+    SomParameters p;
+    p.rows = 4;
+    p.columns = 4;
+    p.similarity = similarity;
+    const Som som = train_som(p, rows).value();
+    const auto refined = refine_som(som, Samples(rows), problem.classes, grlvq_parameters());
+    ASSERT_TRUE(refined);
+    const std::vector<double>& relevances = refined->som.parameters().relevances;
+    EXPECT_GT(relevances[0], 1.2 * relevances[1]);
+    EXPECT_NEAR(relevances[0] + relevances[1] + relevances[2], 3.0, 1e-9);
+  }
+}
+
+TEST(Refinement, RelevancesStandMoreClassesThanNeuronsAndOneSampleOfEach) {
+  SomParameters p;
+  p.rows = 1;
+  p.columns = 2;
+  const Matrix<float> rows(4, 2, {0, 0, 1, 0, 0, 1, 1, 1});
+  const auto refined =
+      refine_som(train_som(p, rows).value(), Samples(rows), {0, 1, 2, 3}, grlvq_parameters());
+  ASSERT_TRUE(refined);
+  EXPECT_GE(refined->order.classes_without_neuron, 2U);
+  for (const double one : refined->som.parameters().relevances) EXPECT_GT(one, 0.0);
+}
+
+// One column decides everything; a step is limited, and no relevance becomes 0.
+TEST(Refinement, AStepOfARelevanceIsLimited) {
+  SomParameters p;
+  p.rows = 1;
+  p.columns = 2;
+  Matrix<float> rows(40, 30);
+  SampleClasses classes;
+  Random random(98);
+  for (std::size_t i = 0; i < 40; ++i) {
+    rows(i, 0) = static_cast<float>(i % 2);
+    for (std::size_t d = 1; d < 30; ++d) rows(i, d) = static_cast<float>(20.0 * random.normal());
+    classes.emplace_back(i % 2);
+  }
+  RefinementParameters parameters = grlvq_parameters();
+  parameters.refine_relevance_rate = 1.0;
+  parameters.refine_passes = 100;
+  const auto refined = refine_som(train_som(p, rows).value(), Samples(rows), classes, parameters);
+  ASSERT_TRUE(refined);
+  for (const double one : refined->som.parameters().relevances) {
+    EXPECT_GE(one, 1e-6);
+    EXPECT_LE(one, 30.0);
+  }
+}
+
+TEST(Refinement, AMapWithRelevancesIsNotRefinedAgain) {
+  const RefinementProblem problem = alternating_problem();
+  const Samples samples(problem.samples);
+  const auto refined = refine_som(problem.som, samples, problem.classes, grlvq_parameters());
+  const auto again = refine_som(refined->som, samples, problem.classes, glvq_parameters());
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().kind, ErrorKind::kUsage);
+  EXPECT_NE(again.error().what.find("relevances"), std::string::npos);
+  EXPECT_FALSE(train_som(refined->som.parameters(), samples));
 }
 
 TEST(Refinement, RecognizesMoreSamplesAndMeasuresTheOrder) {
@@ -429,6 +585,8 @@ TEST(Refinement, ParametersOfNoRefinementHaveNoEffect) {
   EXPECT_EQ(reason_without_effect(none, "refine"), "");
   EXPECT_EQ(reason_without_effect(none, "rows"), "");
   EXPECT_EQ(reason_without_effect(glvq_parameters(), "refine_passes"), "");
+  EXPECT_EQ(reason_without_effect(glvq_parameters(), "refine_relevance_rate"), "refine is glvq");
+  EXPECT_EQ(reason_without_effect(grlvq_parameters(), "refine_relevance_rate"), "");
 }
 
 }  // namespace

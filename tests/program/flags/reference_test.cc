@@ -15,7 +15,7 @@ TEST_F(Reference, PagesAreWhatTheProgramPrints) {
     const std::string page = "docs/reference/" + name;
     EXPECT_TRUE(output_of(words) == bytes_of(source_path(page)))
         << fmt::format("{0} is not what the program prints. Make it anew: {1} {2} > {0}", page,
-                       "build/release/somato", fmt::join(words, " "));
+                       "build/dev/somato", fmt::join(words, " "));
   }
 }
 

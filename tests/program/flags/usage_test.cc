@@ -199,7 +199,7 @@ TEST_F(Usage, TheReferenceNamesEveryFlagInItsCommandsSection) {
     EXPECT_GE(flags.size(), 1u);
     // A section may point at a table of keys instead of repeating it.
     std::string keys;
-    for (const std::string table : {"map", "measures", "refinement"}) {
+    for (const std::string table : {"map", "size", "measures", "refinement"}) {
       if (section.find("(#" + table + ")") == std::string::npos) continue;
       const std::size_t start = page.find("### " + table);
       keys += page.substr(start, page.find("\n##", start + 1) - start);

@@ -264,5 +264,23 @@ cone = { shape = "cone", diameter = 80, height = 110, material = "wood" }
   }
 }
 
+TEST_F(Reproduce, ExploresThingsThatTheSystemDeclares) {
+  const std::string things =
+      "[explore.material.cork]\nstiffness = 8.0\n[explore.material.slate]\nstiffness = 90.0\n";
+  write("press.toml", press() + things);
+  output_of(reproduce("press.toml", "out"));
+  const auto part = results("out")["parts"][0];
+  EXPECT_EQ(part["protocols"][0]["runs"][0]["labels"], nlohmann::json::array({"cork", "slate"}))
+      << part["protocols"][0];
+  // Another stiffness is another recording, with another name.
+  write("press.toml", press() + things + "[explore.material.felt_2]\nstiffness = 1.0\n");
+  output_of(reproduce("press.toml", "out"));
+  EXPECT_EQ(results("out")["parts"][0]["protocols"][0]["runs"][0]["labels"].size(), 3U);
+  write("wrong.toml",
+        press() + things + "[explore.object.a]\nshape = 'spere'\nmaterial = 'cork'\n");
+  const auto refused = run(reproduce("wrong.toml", "wrong"));
+  EXPECT_NE(refused.err.find("did you mean 'sphere'?"), std::string::npos) << refused.err;
+}
+
 }  // namespace
 }  // namespace somato

@@ -87,6 +87,44 @@ TEST_F(Sweep, FindsWhatReproduceFinds) {
   EXPECT_EQ(points[7]["claims"][0]["values"], values_of(system, "noise"));
 }
 
+// Two systems share the draws, and the settings that agree with an observation are run again.
+TEST_F(Sweep, InfersSettingsFromObservedValues) {
+  write_system();
+  std::string other = read("press.toml");
+  other.replace(other.find("name = 'press'"), 14, "name = 'other'");
+  write("other.toml", other);
+  write_sweep();
+  write("targets.toml",
+        "[inference]\naccepted = 0.3\nbodies = 3\npairs = 1\ntruths = 4\n"
+        "[[target]]\ntext = 'Four are named.'\nsystem = 'other'\nmetric = 'classes_separated'\n"
+        "observed = 4\nscale = 1\n");
+  const Words command{"sweep",     "press.toml",   "other.toml", "--over", "over.toml",
+                      "--targets", "targets.toml", "--out",      "out"};
+  const std::string shown = output_of(command);
+  for (const char* said : {"press, other: 9 draws with 2 pairs each", "1 target", "Five are named.",
+                           "with 3 settings of the posterior", "out/inference.json"}) {
+    EXPECT_NE(shown.find(said), std::string::npos) << said << "\n is not in\n" << shown;
+  }
+  const Json json = Json::parse(read("out/inference.json"));
+  EXPECT_EQ(json["systems"], Json::array({"press", "other"}));
+  EXPECT_EQ(json["claims"].size(), 4U);
+  EXPECT_GE(json["accepted"], 6);  // 0.3 of 18 maps
+  EXPECT_EQ(json["bodies"].size(), 3U);
+  // The seeds of the fresh recordings are others, and a file of a body is the system that was run.
+  for (const auto& draw : Json::parse(read("out/sweep.json"))["points"]) {
+    for (const auto& recording : draw["recordings"]) {
+      EXPECT_FALSE(fs::exists(path("out/fresh/recordings/" + recording.get<std::string>())));
+    }
+  }
+  const std::string body = read("out/bodies/02/other.toml");
+  EXPECT_NE(body.find("learning_rate_start = " + json["bodies"][1]["rate"].dump()),
+            std::string::npos)
+      << body;
+  output_of({"reproduce", "out/bodies/02/other.toml", "--out", "again", "--pairs", "1",
+             "--recordings", "1"});
+  EXPECT_EQ(output_of(command), shown) << "nothing is left to run";
+}
+
 TEST_F(Sweep, PartsInAnyOrderOneKilledAreTheSameBytesAsOneRun) {
   write_system(std::to_string(testing::fewer_if_sanitized(8000)));
   write_sweep();

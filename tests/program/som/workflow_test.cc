@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "program/support/program_test.h"
@@ -255,6 +256,41 @@ TEST_F(Workflow, LabelsComeBackFromTheMap) {
   const std::string quality = output_of(with({"som", "quality", "a.map", "labelled.csv"}, labels));
   EXPECT_NEAR(measure(quality, "accuracy"), right / 30.0, 1e-5);
   EXPECT_NE(quality.find("individuals_apart true"), std::string::npos) << quality;
+}
+
+// Samples between the groups win neurons without a label, too; `som map` names each row by a search
+// of its own.
+TEST_F(Workflow, TheAccuracyOfOtherRowsIsThatOfTheirLabels) {
+  write("labelled.csv", labelled());
+  output_of(with(train_words("labelled.csv"), {"--label-column", "group"}));
+  const PlainMap map(path("a.map"));
+  std::set<std::size_t> named;
+  for (const auto& row : points()) named.insert(map.find(row).winner);
+  Rows between = points();
+  std::string names;
+  std::size_t unnamed = 0;
+  for (std::size_t i = 0; i < between.size(); ++i) {
+    between[i][0] += 4.5;
+    between[i][2] += 1.0;
+    names += std::string(group_of(i)) + "\n";
+    unnamed += named.count(map.find(between[i]).winner) == 0 ? 1 : 0;
+  }
+  EXPECT_GT(unnamed, 0U);
+  EXPECT_LT(unnamed, between.size());
+  write("between.csv", text(between, ","));
+  write("names", names);
+  const auto mapped = lines(output_of({"som", "map", "a.map", "between.csv"}));
+  double right = 0.0;
+  for (std::size_t i = 0; i < between.size(); ++i) {
+    const std::string label = group_of(i);
+    const std::string field = label[0] == 't' ? "\"the \"\"cube\"\", large\"" : label;
+    right += mapped[i + 1].ends_with("," + field) ? 1.0 : 0.0;
+  }
+  EXPECT_GT(right, 0.0);
+  EXPECT_LT(right, 30.0);
+  const std::string quality =
+      output_of({"som", "quality", "a.map", "between.csv", "--labels", "names"});
+  EXPECT_NEAR(measure(quality, "accuracy"), right / 30.0, 1e-5);
 }
 
 TEST_F(Workflow, WrongLabelsLowerTheAccuracyByTheirShare) {

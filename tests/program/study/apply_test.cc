@@ -137,6 +137,42 @@ TEST_F(Apply, SavesTheContributionsOfSensors) {
   }
 }
 
+// As many rows as an interrupt at the first progress cannot miss.
+TEST_F(Apply, AnInterruptKeepsTheOldContributions) {
+  std::string head = "kind";
+  std::string values;
+  for (std::size_t i = 0; i < 30; ++i) {
+    head += ",c" + std::to_string(i);
+    values += "," + std::to_string(i % 7);
+  }
+  std::string rows;
+  for (const char* kind : {"a", "b", "a", "b", "a", "b"}) {
+    rows += kind + values + (kind[0] == 'a' ? "1\n" : "\n");
+  }
+  write("short.csv", head + "\n" + rows);
+  while (rows.size() < 1500000) rows += rows;
+  write("long.csv", head + "\n" + rows);
+  write("table.toml",
+        "[study]\nname = 'table'\nlabel = 'kind'\nseeds = 1\nprotocols = ['train_is_test']\n"
+        "[recording]\nlabel_column = 'kind'\n"
+        "[module.columns]\ntype = 'channel'\nchannel = 'columns'\n"
+        "[module.now]\ntype = 'last'\ninput = 'columns'\n"
+        "[module.map]\ntype = 'som'\ninput = 'now'\nrows = 2\ncolumns = 2\niterations = 30\n");
+  output_of({"run", "table.toml", "--data", "short.csv", "--out", "out"});
+  write("sensors.csv", "old");
+  const auto before = contents();
+  ProgramWorld world;
+  world.terminal = true;
+  world.interrupt_at = "contributions: ";
+  const ProgramRun stopped = run({"apply", "out/system.somato", "long.csv", "--contributions",
+                                  "sensors.csv", "-o", "answers.csv"},
+                                 world);
+  EXPECT_EQ(stopped.exit_code, 130) << stopped.err;
+  EXPECT_NE(stopped.err.find("the contributions were not saved"), std::string::npos) << stopped.err;
+  EXPECT_EQ(stopped.out, "");
+  EXPECT_TRUE(contents() == before);
+}
+
 TEST_F(Apply, RefusesContributionsOfOneClass) {
   train_system();
   SystemModel model = load_system(path("out/system.somato")).value();

@@ -124,6 +124,25 @@ TEST_F(Study, ShowsATableAndWhereItsFilesAre) {
   EXPECT_EQ(std::distance(files, std::filesystem::directory_iterator()), 3);
 }
 
+// Names of refined maps are longer than the others.
+TEST_F(Study, ItsColumnsAreAsWideAsItsNames) {
+  write_study();
+  write("study.toml", read("study.toml") + "refine = 'glvq'\nrefine_passes = 2\n");
+  std::istringstream lines(run_study("out"));
+  std::size_t column = std::string::npos;
+  std::size_t others = 0;
+  std::size_t refined = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find(" map  ") != std::string::npos) column = line.find("map  ");
+    const bool is_refined = line.starts_with("  refined_");
+    if (!is_refined && !line.starts_with("  accuracy ")) continue;
+    EXPECT_EQ(line.find_first_of("0123456789"), column) << line;
+    (is_refined ? refined : others) += 1;
+  }
+  EXPECT_GT(refined, 0U);
+  EXPECT_EQ(others, 2U);  // of two protocols
+}
+
 TEST_F(Study, ShowsEveryMetricOnRequest) {
   write_study("2");
   const std::string shown = run_study("out", {"--all-metrics"});

@@ -2,46 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "base/support/temporary_folder.h"
-#include "recordings/support/csv_channel.h"
+#include "recordings/support/csv_trials_test.h"
 
 namespace somato {
 namespace {
 
 using Names = std::vector<std::string>;
 
-// Imports of one file with the channel touch of the columns a and b.
-class CsvTrialReader : public ::testing::Test {
- protected:
-  CsvTrialReader() {
-    plan_.trials.files = "{object}_{trial:number}.csv";
-    plan_.channels = {channel_of("touch", {"a", "b"})};
-  }
-
-  Result<Recording> import() const { return import_csv_trials(folder_.path(), plan_); }
-
-  Exploration read(const std::string& text) const {
-    folder_.with("x_1.csv", text);
-    const auto recording = import();
-    EXPECT_TRUE(recording) << to_string(recording.error());
-    return recording ? recording->explorations.at(0) : Exploration{};
-  }
-
-  // The error for the text, without the folder.
-  std::string error_for(const std::string& text) const {
-    folder_.with("x_1.csv", text);
-    const auto recording = import();
-    return recording ? "none" : to_string(recording.error()).substr(folder_.path().size() + 1);
-  }
-
-  static Matrix<float> matrix(std::size_t rows, std::vector<float> values) {
-    const std::size_t columns = values.size() / rows;
-    return Matrix<float>(rows, columns, std::move(values));
-  }
-
-  TemporaryFolder folder_;
-  CsvImport plan_;
-};
+using CsvTrialReader = CsvTrialsTest;
 
 TEST_F(CsvTrialReader, RefusesColumnsWithoutNames) {
   for (const char* text : {",a,b\n0,1,2\n", "  ,a,b\n0,1,2\n", "Unnamed: 0,a,b\n0,1,2\n"}) {

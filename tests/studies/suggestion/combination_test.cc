@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "studies/suggestion/neighbours.h"
+#include "studies/codes/neighbours.h"
 
 namespace somato {
 namespace {

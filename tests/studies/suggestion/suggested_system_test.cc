@@ -56,7 +56,8 @@ TEST(SuggestedSystem, SeveralPartsAreScaledAndConcatenated) {
                    "vector", "map"}));
   EXPECT_EQ(setting_of(system.modules[3], "factor"), Value{0.1234});
   EXPECT_EQ(setting_of(system.modules.back(), "columns"), Value{std::int64_t{28}});
-  EXPECT_EQ(setting_of(system.modules.back(), "iterations"), Value{std::int64_t{78400}});
+  EXPECT_EQ(setting_of(system.modules.back(), "training"), Value{std::string("batch")});
+  EXPECT_EQ(setting_of(system.modules.back(), "radius_start"), Value{3.5});  // 28 / 8
 }
 
 TEST(SuggestedSystem, APartWithTheFactorOneIsNotScaled) {

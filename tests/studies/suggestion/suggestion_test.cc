@@ -49,7 +49,7 @@ double accuracy_of(const Suggestion& suggestion, const Recording& recording) {
   study.study.seeds = 1;
   study.study.protocols = {Protocol::kLeaveOneOut};
   for (Table::Entry& entry : study.system.modules.back().settings.entries) {
-    if (entry.name == "iterations") entry.content = Value{std::int64_t{1}};
+    if (entry.name == "epochs") entry.content = Value{std::int64_t{1}};
     if (entry.name == "tolerance") entry.content = Value{0.0};
   }
   const auto outcome = run_study(study, recording);

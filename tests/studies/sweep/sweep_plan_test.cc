@@ -30,7 +30,7 @@ std::string setting(const ReproductionPart& part, const std::string& module,
 TEST(SweepPlan, RunsWhatClaimsAreAboutAtEachPoint) {
   const auto sweep = planned(sweep_toml("one_at_a_time", unknown("module.map.rows", "[7]")));
   ASSERT_TRUE(sweep) << to_string(sweep.error());
-  EXPECT_EQ(sweep->system, "press");
+  EXPECT_EQ(names_of(*sweep), "press");
   EXPECT_EQ(sweep->claims.size(), 2U);
   const auto points = sweep_points(sweep->sweep);
   ASSERT_EQ(points.size(), 2U);

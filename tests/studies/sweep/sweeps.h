@@ -72,7 +72,7 @@ inline Result<SweepDescription> read(const std::string& toml) {
 inline Result<SystemSweep> planned(const std::string& sweep,
                                    const std::string& system = kSweptSystem) {
   return read(sweep).and_then([&](const SweepDescription& description) {
-    return plan_sweep(description, {"press", parse_toml(system, "press.toml").value()},
+    return plan_sweep(description, {{"press", parse_toml(system, "press.toml").value()}},
                       {{"explore.explorations", "5"}, {"explore.press.step", "0.5"}});
   });
 }

@@ -59,6 +59,17 @@ TEST(MapNpzReader, ReadsAMapThatNumpyHasCompressed) {
   EXPECT_EQ(map->labels, NeuronLabels({std::nullopt, 1}));
 }
 
+TEST(MapNpzReader, ReadsRelevancesWithTheWeightsThatTheyMultiply) {
+  Members members = whole_map();
+  members["relevances"] = npy<double>({0.25, 1, 4}, {3});
+  const auto map = read(members);
+  ASSERT_TRUE(map) << to_string(map.error());
+  EXPECT_EQ(map->som.parameters().relevances, (std::vector<double>{0.25, 1, 4}));
+  EXPECT_EQ(map->som.weights().to_matrix(), Matrix<float>(2, 3, {0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(map->som.weight(1, 0), 6.0F);
+  EXPECT_EQ(map->som.weight(1, 2), 2.5F);
+}
+
 void expect_array_refused(const std::string& name, const std::string& content,
                           const std::string& message) {
   Members members = whole_map();
@@ -119,6 +130,11 @@ TEST(MapNpzReader, SaysWhatIsWrongWithEachArray) {
   expect_array_refused("elements", npy<std::int64_t>({2, 1, 0}, {3}), "ascending");
   expect_array_refused("samples_seen", npy<std::int64_t>({-1}, {1}), "samples_seen");
   expect_array_refused("other", npy<double>({1}, {1}), "other");
+}
+
+TEST(MapNpzReader, RefusesRelevancesThatCannotBe) {
+  expect_array_refused("relevances", npy<double>({1, 1}, {2}), "not relevances");
+  expect_array_refused("relevances", npy<double>({1, 0, 1}, {3}), "not relevances");
 }
 
 TEST(MapNpzReader, RefusesGraphsThatCannotBe) {

@@ -66,6 +66,19 @@ TEST(SomRefinement, IsThatOfTheTrainedMap) {
   EXPECT_EQ(refined_order_of(plain, 2), nullptr);
 }
 
+TEST(SomRefinement, RelevancesAreSavedAndLoaded) {
+  const Recording recording = testing::hand_recording(12, 4);
+  System system = testing::build(refined_text("refine = \"grlvq\"\n"), recording);
+  ASSERT_TRUE(train_all(system, recording, classes_by_turns(12)));
+  const std::vector<double>& relevances = som_of(system, 2)->parameters().relevances;
+  EXPECT_EQ(relevances.size(), 3U);
+  const TemporaryFolder folder;
+  ASSERT_TRUE(save_system(folder.file("model"), system));
+  const SystemModel loaded = testing::value_or_throw(load_system(folder.file("model")));
+  EXPECT_EQ(som_of(loaded.system, 2)->parameters().relevances, relevances);
+  EXPECT_EQ(som_of(loaded.system, 2)->weights(), som_of(system, 2)->weights());
+}
+
 TEST(SomRefinement, ARefinedSystemIsSavedAndLoaded) {
   const Recording recording = testing::hand_recording(12, 4);
   System system = testing::build(refined_text(kRefine), recording);

@@ -181,6 +181,11 @@ export interface SystemReport {
   /** Data of the trained system, for the saved seed; null without system.somato. */
   trained: TrainedData | null;
   /**
+   * The contributions of sensors to decisions of the trained system; null without it or a
+   * recording, and for maps whose neurons have fewer than two classes.
+   */
+  deciding: DecidingData | null;
+  /**
    * For each sample the number of its readings in the `moments` of the report, or null; [] without
    * a recording. For variations and questions only readings that an earlier original system refers
    * to.
@@ -228,6 +233,68 @@ export interface PackedPlanes {
    * A row for each neuron, a column for each element; missing where the weights determine no value.
    */
   values: PackedRows;
+}
+
+/**
+ * Contributions that separate two classes, for single samples: some that the tests confused, others
+ * that are almost as far from both classes.
+ */
+export interface DecidingData {
+  /** The label whose classes are compared. */
+  label: string;
+  /** The unit of distances and contributions; "" without one. */
+  unit: string;
+  /** Whether the map compares inner products, of which the nearest neuron has the greatest. */
+  products: boolean;
+  sources: DecidingSource[];
+  decisions: DecisionData[];
+}
+
+/** The elements to which contributions are traced back. */
+export interface DecidingSource {
+  /**
+   * A channel; or the output of a module that cannot be traced further. Without elements if it has
+   * more than 1024.
+   */
+  channel: ChannelData;
+  is_channel: boolean;
+  /**
+   * A row for each decision, a column for each element; missing where the system does not read the
+   * element. No columns without elements.
+   */
+  values: PackedRows;
+}
+
+/**
+ * A sample and two classes, those of a confusion of the tests or those of the nearest neurons;
+ * numbers and classes are those of the trained system.
+ */
+export interface DecisionData {
+  /** Index into `samples`. */
+  sample: number;
+  /** The true class. */
+  label: string;
+  /** The number of runs of the main result that tested the sample. */
+  tests: number;
+  /** A wrong class that tests named; "": none. */
+  predicted: string;
+  /** The number of runs that named it. */
+  confused: number;
+  /** The class of the nearest neuron of all. */
+  answer: string;
+  /** That of the two classes whose neuron is nearer. */
+  nearest: string;
+  /** The other of the two. */
+  other: string;
+  /** The distance of the nearest neuron of the class `nearest`. */
+  of_nearest: number;
+  /** The distance of the nearest neuron of the class `other`. */
+  of_other: number;
+  /**
+   * For each source the sum of its contributions; together they are the difference of the two
+   * distances.
+   */
+  sums: number[];
 }
 
 /**

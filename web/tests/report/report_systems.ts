@@ -6,7 +6,7 @@ import type { ClaimReport, SystemReport } from "../../src/report/page/unpacked";
 import { emptySystem } from "../../src/report/page/read";
 import { clusteredRun, kObjects, kShapeOf, protocol, range, withMaps } from "./report_runs";
 import { kJoints, kTouch, moment, things } from "./report_things";
-import { fields, handGraph, planes, trained } from "./report_trained";
+import { deciding, fields, handGraph, planes, trained } from "./report_trained";
 
 const kRectangular: GridData = { rows: 15, columns: 15, lattice: "rectangular", topology: "plane" };
 const kHexagonal: GridData = { rows: 10, columns: 12, lattice: "hexagonal", topology: "torus" };
@@ -78,6 +78,7 @@ export function handSystem(): SystemReport {
       [planes(kRectangular, kTouch, "N", 3), planes(kRectangular, kJoints, "", 4)],
       [fields("hand", [5, 5], "wrist", 0, 10), fields("posture", [6, 15], "joints", 1, 60)],
     ),
+    deciding: deciding([kTouch, kJoints], kObjects),
     recording: 0,
     moments: labels.map((object, i) => moment(object, 50 + i, (i % 5) + 1)),
     missing: [],
@@ -125,6 +126,7 @@ export function probeSystem(variation: string): SystemReport {
       ],
       [],
     ),
+    deciding: null,
     moments: [],
     not_given: [],
     missing: [],
@@ -151,6 +153,7 @@ export function growingSystem(): SystemReport {
     graph: { ...graph, modules: [...graph.modules.slice(0, -1), map] },
     grid: grids[0]!,
     trained: trained(grids[0]!, ["boccia", "boule"], [planes(grids[0]!, kTouch, "N", 3)], []),
+    deciding: null,
     samples: null,
     moments: [],
   };

@@ -1,7 +1,7 @@
 // Made-up systems that have learned, for the report's fixture: their graph, what their maps hold.
 
 import type { ChannelData, ChannelPlanes, GraphData, GridData, ModuleData } from "../../src/parts/data";
-import type { ReceptiveFields, TrainedData } from "../../src/report/page/unpacked";
+import type { DecidingData, ReceptiveFields, TrainedData } from "../../src/report/page/unpacked";
 import { randomNumbers, range, round, uMatrixOf } from "./report_runs";
 
 function module(
@@ -112,4 +112,28 @@ export function trained(
     planes: allPlanes,
     receptive_fields: receptive,
   };
+}
+
+/** Contributions of two channels and of a module, which has too many elements for a list, to three decisions. */
+export function deciding(channels: ChannelData[], classes: string[]): DecidingData {
+  const random = randomNumbers(31);
+  const kinds = [
+    { sample: 2, tests: 20, predicted: classes[1]!, confused: 7 },
+    { sample: 8, tests: 20, predicted: classes[3]!, confused: 1 },
+    { sample: 11, tests: 20, predicted: "", confused: 0 },
+  ];
+  const sources = channels.map((channel) => ({
+    channel,
+    is_channel: true,
+    values: kinds.map(() => channel.elements.map((_, i) => (i === 1 ? null : round(random() - 0.45)))),
+  }));
+  const module = { channel: { name: "felt", unit: "", elements: [], shape: [46, 23] }, is_channel: false, values: [] };
+  const decisions = kinds.map((kind, i) => {
+    const sums = [...sources.map(({ values }) => values[i]!.reduce<number>((sum, value) => sum + (value ?? 0), 0)), 0.25];
+    const [nearest, other] = i === 2 ? [classes[2]!, classes[4]!] : [classes[0]!, kind.predicted];
+    const of_nearest = 1.5 + i;
+    const of_other = of_nearest + sums.reduce((sum, one) => sum + one, 0);
+    return { ...kind, label: i === 2 ? classes[4]! : classes[0]!, answer: nearest, nearest, other, of_nearest, of_other, sums };
+  });
+  return { label: "object", unit: "N", products: false, sources: [...sources, module], decisions };
 }

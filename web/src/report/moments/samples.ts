@@ -41,8 +41,8 @@ export class Samples {
 }
 
 /** "boccia, trial 3": the studied label and what distinguishes explorations with the same one. */
-function nameOf(system: SystemReport, sample: number): string {
-  const labels: Labels = system.moments[sample]?.labels ?? {};
+export function nameOf(system: SystemReport, sample: number): string {
+  const labels: Labels = system.moments[sample]?.labels ?? system.samples?.[sample] ?? {};
   const own = labels[system.protocols[0]?.label ?? ""] ?? Object.values(labels)[0] ?? `exploration ${sample + 1}`;
   return labels["trial"] === undefined ? own : `${own}, trial ${labels["trial"]}`;
 }

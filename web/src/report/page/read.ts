@@ -4,6 +4,7 @@
 import {
   unpacked,
   type ClaimReport,
+  type DecidingData,
   type MomentData,
   type ProtocolData,
   type ReportData,
@@ -79,6 +80,7 @@ export function emptySystem(): SystemReport {
     things: [],
     not_given: [],
     trained: null,
+    deciding: null,
     moments: [],
     missing: [],
   };
@@ -98,6 +100,8 @@ const kEmptyTrained: TrainedData = {
   receptive_fields: [],
 };
 
+const kEmptyDeciding: DecidingData = { label: "", unit: "", products: false, sources: [], decisions: [] };
+
 function completed(system: Record<string, unknown>, moments: MomentData[]): SystemReport {
   const whole: SystemReport = { ...emptySystem(), ...given(system) };
   const moment = (number: unknown) => (typeof number === "number" ? (moments[number] ?? null) : null);
@@ -107,6 +111,7 @@ function completed(system: Record<string, unknown>, moments: MomentData[]): Syst
     moments: listOf(system["moments"]).map(moment),
     protocols: protocols.map((protocol) => ({ ...kEmptyProtocol, ...given(protocol) })),
     trained: isObject(whole.trained) ? { ...kEmptyTrained, ...given(whole.trained) } : null,
+    deciding: isObject(whole.deciding) ? { ...kEmptyDeciding, ...given(whole.deciding) } : null,
   };
 }
 

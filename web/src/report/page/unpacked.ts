@@ -24,6 +24,7 @@ export type ProtocolData = Unpacked<file.ProtocolData>;
 export type RunData = Unpacked<file.RunData>;
 export type RunMap = Unpacked<file.RunMap>;
 export type ReceptiveFields = Unpacked<file.ReceptiveFields>;
+export type DecidingData = Unpacked<file.DecidingData>;
 export type TrainedData = Unpacked<file.TrainedData>;
 export type SystemReport = Omit<Unpacked<file.SystemReport>, "moments"> & {
   moments: (MomentData | null)[]; // of each sample

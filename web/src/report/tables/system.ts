@@ -7,6 +7,7 @@ import { countOf } from "../../parts/numbers";
 import { registerSection, showInAddress } from "../page/address";
 import { confusionFigures } from "../maps/confusions";
 import { allConnectivityFigures, connectivityFigures } from "../maps/connectivity";
+import { decidingFigures } from "../moments/deciding";
 import { graphFigure } from "../maps/graph";
 import type { Group } from "../page/groups";
 import { drawInside, lazy } from "../page/lazy";
@@ -149,13 +150,14 @@ function weightParts(selection: Selection): Part[] {
 
 function otherParts(selection: Selection, data: ReportData): Part[] {
   const { system } = selection;
-  const { protocols, graph, things, not_given } = system;
+  const { protocols, deciding, graph, things, not_given } = system;
   const claims = claimsOf(system, data);
   const hasProtocols = protocols.length > 0;
   const runs = Math.max(0, ...protocols.map((protocol) => protocol.runs.length));
   return [
     ...part(runs > 1 ? "Metrics over the runs" : "Metrics", 420, hasProtocols, () => [outcomesFigure(selection, claims)]),
     ...part("Confusion matrix", 420, hasProtocols, () => [element("div", { class: "figures" }, confusionFigures(selection))]),
+    ...part("Which sensors decided", 420, (deciding?.decisions.length ?? 0) > 0, () => decidingFigures(system)),
     ...part("Graph of the modules", 260, graph !== null, () => [graphFigure(system)]),
     ...part("Objects and materials", 240, things.length > 0, () => [thingsFigure(system)]),
     ...part("Settings not given in the papers", 160, not_given.length > 0, () => [notGivenFigure(system)]),

@@ -1,10 +1,16 @@
 // The skin coloured by contributions: how much each sensor separates the class that is read from the
-// next one. Lightness rises from the next class to the class that is read, so that it is readable in grey.
+// next one.
 
 import type { ChannelData } from "../../parts/data";
 import { element, fill, write } from "../../parts/dom";
-import { handMap, type HandPicture } from "../../parts/hands/hand_map";
-import { readable, withUnit } from "../../parts/numbers";
+import {
+  coloursInWords,
+  contributionPicture,
+  greatestOf,
+  signed,
+  strongestOf,
+  type ContributionPicture,
+} from "../../parts/hands/contributions";
 import type { Reading, State } from "../data";
 import type { Model } from "../session/model";
 
@@ -20,7 +26,7 @@ export class Contributions {
   private readonly legend = element("p", { class: "small" });
   private readonly list = element("ol", { class: "small", "aria-label": "Greatest contributions" });
   private channels: readonly ChannelData[] = [];
-  private pictures: { name: string; picture: HandPicture }[] = [];
+  private pictures: { name: string; picture: ContributionPicture }[] = [];
 
   constructor(private readonly model: Model) {
     this.root.append(this.place, this.legend, this.list);
@@ -54,12 +60,12 @@ export class Contributions {
       write(this.legend, "There is no reading of two classes.");
       return;
     }
-    const end = greatest(given);
+    const end = greatestOf(Object.values(given.channels));
     for (const { name, picture } of this.pictures) {
       picture.element.hidden = given.channels[name] === undefined;
-      picture.setValues(given.channels[name] ?? [], [-end, end]);
+      picture.show(given.channels[name] ?? [], end);
     }
-    write(this.legend, wordsOf(reading.candidates[0]?.name ?? reading.answer, given.other));
+    write(this.legend, coloursInWords(reading.candidates[0]?.name ?? reading.answer, given.other));
     this.listGreatest(given);
   }
 
@@ -77,33 +83,20 @@ export class Contributions {
   }
 }
 
-function wordsOf(nearest: string, other: string): string {
-  return `Bright: closer to ${nearest} than to ${other}. Dark: the reverse.`;
-}
-
-function pictureOf(channel: ChannelData): HandPicture {
-  const label = `Contributions of ${channel.name}`;
-  const picture = handMap(channel, { label, size: kSize, mostPitch: kMostPitch, palm: true });
+function pictureOf(channel: ChannelData): ContributionPicture {
+  const picture = contributionPicture(channel, { size: kSize, mostPitch: kMostPitch, palm: true });
   picture.element.querySelector("output")?.setAttribute("aria-live", "off"); // changes with every frame
   return picture;
 }
 
-function greatest(given: Given): number {
-  const all = Object.values(given.channels).flat();
-  return all.reduce<number>((most, value) => Math.max(most, Math.abs(value ?? 0)), 0) || 1;
-}
-
-/** The elements of all channels that contribute most, for either class. */
 function strongest(given: Given, state: State | null): string[] {
-  const all = Object.entries(given.channels).flatMap(([name, values]) => {
+  const all = Object.entries(given.channels).map(([name, values]) => {
     const elements = state?.channels.find((channel) => channel.name === name)?.elements ?? [];
-    return values.map((value, i) => ({ name: `${name} ${elements[i] ?? String(i + 1)}`, value: value ?? 0 }));
+    return { name, elements, values };
   });
-  return all
-    .filter(({ value }) => value !== 0)
-    .sort((a, b) => Math.abs(b.value) - Math.abs(a.value))
-    .slice(0, kMostListed)
-    .map(({ name, value }) => `${name}: ${value > 0 ? "+" : ""}${withUnit(readable(value), given.unit)}`);
+  return strongestOf(all, kMostListed).map(
+    ({ name, element: one, value }) => `${name} ${one}: ${signed(value, given.unit)}`,
+  );
 }
 
 /** Whether the skin is coloured by contributions instead of readings. */

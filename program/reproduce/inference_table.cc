@@ -1,0 +1,100 @@
+#include "reproduce/inference_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "base/text/value_json.h"
+#include "studies/results/short_number.h"
+#include "studies/sweep/sweep_points.h"
+#include "terminal/wording.h"
+
+namespace somato::program {
+namespace {
+
+std::string short_value(const SweepDescription& sweep, std::size_t unknown, double place) {
+  std::vector<double> places(sweep.unknowns.size(), 0.5);
+  places[unknown] = place;
+  const Value value = point_at(sweep, places)[unknown]->value;
+  const auto* number = std::get_if<double>(&value.content);
+  return number ? fmt::format("{:.3g}", *number) : to_toml(value);
+}
+
+std::string most_likely(const SweepDescription& sweep, const Unknown& unknown,
+                        const InferredUnknown& inferred) {
+  const auto& shares = inferred.posterior_shares;
+  const auto best =
+      static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
+  return fmt::format("{} in {:.0f} % (prior {:.0f} %)",
+                     to_toml(sweep_cells(sweep, unknown)[best].from), 100.0 * shares[best],
+                     100.0 * inferred.prior_shares[best]);
+}
+
+std::string unknown_line(const InferenceResults& results, std::size_t number) {
+  const SweepDescription& sweep = results.draws.sweep.sweep;
+  const Unknown& unknown = sweep.unknowns[number];
+  const InferredUnknown& inferred = results.inference.unknowns[number];
+  const std::string values =
+      unknown.parameters.is_range()
+          ? fmt::format("{} ({} to {})", short_value(sweep, number, inferred.posterior.median),
+                        short_value(sweep, number, inferred.posterior.low),
+                        short_value(sweep, number, inferred.posterior.high))
+          : most_likely(sweep, unknown, inferred);
+  return fmt::format("  {:>5.2f}  {}: {}\n", inferred.shrinkage(), unknown.name, values);
+}
+
+std::string percent(std::optional<double> share) {
+  return share ? fmt::format("{:.0f} %", 100.0 * *share) : "-";
+}
+
+std::string claim_line(const InferenceResults& results, std::size_t number) {
+  const Claim& claim = results.draws.sweep.claims[number];
+  const ClaimShares& shares = results.claims[number];
+  const std::string system =
+      claim.variation.empty() ? claim.system : claim.system + ", " + claim.variation;
+  return fmt::format("  {:>6}  {:>6}  {:>6}  {:>6}  {:11}  {}: {}\n", percent(shares.prior),
+                     percent(shares.fresh), percent(shares.left_out), percent(shares.chance),
+                     choice_name(shares.support()), system, claim.text);
+}
+
+double mean_count(const SweepResults& results) {
+  const std::vector<std::size_t> counts = claims_met(results);
+  const auto sum =
+      static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+  return counts.empty() ? 0.0 : sum / static_cast<double>(counts.size());
+}
+
+std::string joint_line(const InferenceResults& results) {
+  return fmt::format(
+      "\nOf {}, {:.1f} hold in at least half of the pairs of a body of the prior, {:.1f} with {} "
+      "of the "
+      "posterior and fresh seeds.\n",
+      counted(results.claims.size(), "claim"), mean_count(results.draws), mean_count(results.fresh),
+      counted(results.fresh.points.size(), "setting"));
+}
+
+}  // namespace
+
+std::string inference_table(const InferenceResults& results) {
+  const SystemSweep& sweep = results.draws.sweep;
+  std::string text = fmt::format(
+      "{}: {} with {} each; the {} nearest to {} accepted\n\n", names_of(sweep),
+      counted(results.draws.points.size(), "draw"), counted(sweep.sweep.sweep.pairs, "pair"),
+      results.inference.posterior.size(), counted(results.targets.targets.size(), "target"));
+  text +=
+      "  width  unknown, with the median and the central 90 % of the posterior (width: relative to "
+      "the prior)\n";
+  for (std::size_t i = 0; i < results.inference.unknowns.size(); ++i)
+    text += unknown_line(results, i);
+  text += fmt::format("\n  {:>6}  {:>6}  {:>6}  {:>6}  {:11}  claim\n", "prior", "fresh", "others",
+                      "chance", "");
+  for (std::size_t i = 0; i < results.claims.size(); ++i) text += claim_line(results, i);
+  return text + joint_line(results) +
+         "prior: share of all pairs; fresh: of posterior bodies with fresh seeds; others: "
+         "predicted from the targets "
+         "with other measures.\n";
+}
+
+}  // namespace somato::program

@@ -1,0 +1,1 @@
+"""What users pass: rows, labels, layers and numbers in any form, as the library takes them."""

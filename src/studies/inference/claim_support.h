@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "somato/core/matrix.h"
+#include "studies/inference/acceptance.h"
+#include "studies/inference/targets.h"
+#include "studies/sweep/sweep_results.h"
+
+namespace somato {
+
+/// Whether settings explain a claim.
+enum class ClaimSupport {
+  kExplained,   ///< It holds in at least kExplainedFrom of the fresh pairs of the posterior.
+  kReachable,   ///< The prior gives it, but the posterior does not in most pairs.
+  kExcluded,    ///< Fewer than kExcludedBelow of the simulations, of at least kDecidingDraws draws,
+                ///< meet it.
+  kNotDecided,  ///< The same with fewer draws; or it could not be judged.
+};
+
+template <>
+struct Choices<ClaimSupport> {
+  static const std::vector<std::pair<ClaimSupport, std::string>>& all();
+};
+
+inline constexpr double kExplainedFrom = 0.9;
+inline constexpr double kExcludedBelow = 0.01;
+inline constexpr std::size_t kDecidingDraws = 1000;
+
+/// Whether each simulation meets a claim: 1, 0, or NaN if it cannot be judged.
+using MetClaims = std::vector<double>;
+
+/// Those of claim number `claim`, in the order of simulations_of().
+MetClaims met_by_simulations(const SweepResults& results, std::size_t claim);
+
+/// The shares of maps that meet a claim.
+struct ClaimShares {
+  std::optional<double> prior;  ///< Share of all simulations.
+  std::optional<double>
+      posterior;  ///< Weighted share of the accepted ones: on the seeds that selected them.
+  /// The same where the targets with the measure of the claim had no part in the selection.
+  std::optional<double> left_out;
+  std::optional<double> fresh;   ///< Share with fresh seeds, at settings of the posterior.
+  std::optional<double> chance;  ///< Mean share of wrong groupings that meet it.
+  std::size_t draws = 0;         ///< Number of draws at which it could be judged.
+
+  ClaimSupport support() const;
+};
+
+/// The shares of claim number `claim` of a sweep. `fresh` are the results at settings of the
+/// posterior, with fresh seeds; without points if they have not been run.
+ClaimShares shares_of(const SweepResults& results, std::size_t claim,
+                      const Simulations& simulations, const Posterior& posterior,
+                      const Targets& targets, const SweepResults& fresh);
+
+/// Two claims that are met together less often than by their own shares.
+struct ClaimConflict {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  double together = 0.0;    ///< Number of the simulations that meet both.
+  double expected = 0.0;    ///< The number if they were independent.
+  double deviations = 0.0;  ///< The difference in standard deviations of that number, below 0.
+};
+
+/// The pairs of claims with at least `least_expected` expected simulations and a difference of more
+/// than three standard deviations, the greatest difference first.
+std::vector<ClaimConflict> conflicts_of(const std::vector<MetClaims>& met, double least_expected);
+
+/// For each point of a sweep: the number of claims that hold in at least half of its pairs
+/// (kMostlyFrom).
+std::vector<std::size_t> claims_met(const SweepResults& results);
+
+}  // namespace somato

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "somato/core/parameter.h"
+#include "somato/core/result.h"
+#include "somato/studies/claim.h"
+#include "studies/inference/acceptance.h"
+#include "studies/sweep/sweep_plan.h"
+
+namespace somato {
+
+/// The table [inference] of a file of targets.
+struct InferenceParameters {
+  double accepted = 0.05;
+  bool adjusted = true;
+  std::size_t truths = 20;
+  std::size_t bodies = 20;
+  std::size_t pairs = 5;
+  std::uint64_t seed = 9001;
+
+  static const Declarations<InferenceParameters>& declarations();
+};
+
+/// A table [[target]]: a measure of one map of a system, and the value that was observed.
+struct Target {
+  std::string text;
+  std::string paper;
+  std::string system;
+  std::string variation;
+  std::string metric;
+  std::string protocol = "train_is_test";
+  std::string group;
+  std::optional<double> observed;
+  std::optional<double> scale;
+  std::string where = {};  ///< `FILE:LINE`; not declared.
+
+  static const Declarations<Target>& declarations();
+};
+
+/// Observations, and the rule by which settings are inferred from them.
+struct Targets {
+  InferenceParameters inference;
+  std::vector<Target> targets;
+
+  AcceptanceRule rule() const { return {inference.accepted, inference.adjusted}; }
+  Observation observation() const;
+};
+
+/// Reads a file of targets. Errors (kUsage) with their location: unknown tables and keys; no
+/// target; a target without text, system, metric, observed value or scale, or with an unknown
+/// metric or protocol; a scale that is not above 0; two targets with the same measure.
+Result<Targets> read_targets(const Table& file);
+
+/// Whether a claim is about the measure of a target, so that the target's value decides it.
+bool is_about(const Claim& claim, const Target& target);
+
+/// Makes a sweep take the measures of the targets at every point. Errors (kUsage) with their
+/// location: a system or variation that is not swept; a design in which not all unknowns vary at
+/// once; a fresh seed among those of the sweep.
+Result<void> add_targets(const Targets& targets, SystemSweep& sweep);
+
+}  // namespace somato

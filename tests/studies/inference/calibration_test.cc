@@ -1,0 +1,63 @@
+#include "studies/inference/calibration.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "studies/inference/simulated.h"
+
+namespace somato {
+namespace {
+
+TEST(Calibration, RanksAreUniformWhereTheModelIsRight) {
+  const Simulations all = test::of_normal_mean(600, 2, 21);
+  const Calibration found = calibrate(all, {1.0}, {0.05, true}, 100, 5);
+  ASSERT_EQ(found.ranks.rows(), 100U);
+  for (std::size_t unknown = 0; unknown < 2; ++unknown) {
+    EXPECT_GT(found.uniform_p[unknown], 0.01) << unknown;
+    EXPECT_NEAR(found.covered[unknown], 0.9, 0.08) << unknown;
+  }
+}
+
+// The statistic is exact for one half of the places and says only "the other half" otherwise:
+// residuals of a regression of all simulations are too large for the former and too small for the
+// latter.
+TEST(Calibration, FindsAnAdjustmentThatIsWrong) {
+  Simulations all = test::of_normal_mean(300, 1, 22);
+  Random random(1);
+  for (std::size_t i = 0; i < all.draw.size(); ++i) {
+    const double place = all.places(i, 0);
+    all.statistics(i, 0) = place < 0.5 ? place : 0.5 + 0.5 * random.uniform();
+  }
+  EXPECT_LT(calibrate(all, {1.0}, {1.0, true}, 300, 5).uniform_p[0], 0.001);
+  EXPECT_GT(calibrate(all, {1.0}, {0.05, false}, 300, 5).uniform_p[0], 0.001);
+}
+
+TEST(Calibration, UsesOneSimulationOfADrawAndNotTheOthersOfIt) {
+  // Two draws with the same statistics: only the other one can be accepted.
+  Simulations all{Matrix<double>(4, 1, {0.25, 0.25, 0.75, 0.75}),
+                  Matrix<double>(4, 1, {1, 1, 1, 1}),
+                  {0, 0, 1, 1},
+                  {true}};
+  const Calibration found = calibrate(all, {1.0}, {1.0, false}, 10, 1);
+  ASSERT_EQ(found.ranks.rows(), 2U);
+  EXPECT_DOUBLE_EQ(found.ranks(0, 0) + found.ranks(1, 0), 1.0);
+  EXPECT_EQ(std::abs(found.ranks(0, 0) - found.ranks(1, 0)), 1.0);
+  all.statistics(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  all.statistics(1, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(calibrate(all, {1.0}, {1.0, false}, 10, 1).ranks.rows(), 0U);
+}
+
+// Critical values of the Kolmogorov-Smirnov statistic at 5 %: 0.29408 for 20, 0.1340 for 100
+// numbers (tables of L. H. Miller, J. Am. Stat. Assoc. 51, 1956).
+TEST(Calibration, ProbabilitiesAgreeWithTables) {
+  EXPECT_NEAR(kolmogorov_p(0.29408, 20), 0.05, 0.002);
+  EXPECT_NEAR(kolmogorov_p(0.1340, 100), 0.05, 0.002);
+  EXPECT_EQ(kolmogorov_p(0.01, 100), 1.0);
+  EXPECT_LT(kolmogorov_p(0.9, 100), 1e-12);
+}
+
+}  // namespace
+}  // namespace somato

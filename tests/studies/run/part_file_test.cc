@@ -1,0 +1,65 @@
+#include "studies/run/part_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace somato {
+namespace {
+
+PartResults part() {
+  PartResults part;
+  part.question = "a question";
+  part.system = "press";
+  part.variation = "small";
+  part.recordings = {{"one.mcap", "", 0, "", 0}, {"two.mcap", "", 0, "", 0}};
+  part.pairs = {{0, 2011}, {1, 2012}};
+  ProtocolResults protocol{"leave_group_out", "trial", "material", 24, {}, {}};
+  protocol.metrics = {{"zeal", {1.0 / 3.0, 1e-300}},
+                      {"accuracy", {std::numeric_limits<double>::quiet_NaN(), 1.0}},
+                      {"zeal_chance", {0.5, 1.0}, {{{0.0, 3}, {1.0 / 3.0, 1}}, {{1.0, 4}}}}};
+  part.protocols = {protocol, {"train_is_test", {}, "material", 24, {}, {}}};
+  return part;
+}
+
+TEST(PartFile, GivesBackWhatWasKept) {
+  const auto read = read_part_file(part_file(part()));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->question, "a question");
+  EXPECT_EQ(read->system, "press");
+  EXPECT_EQ(read->variation, "small");
+  EXPECT_EQ(read->recordings, part().recordings);
+  ASSERT_EQ(read->pairs.size(), 2U);
+  EXPECT_EQ(read->pairs[1].recording, 1U);
+  EXPECT_EQ(read->pairs[1].seed, 2012U);
+  ASSERT_EQ(read->protocols.size(), 2U);
+  const ProtocolResults& protocol = read->protocols[0];
+  EXPECT_EQ(protocol.protocol, "leave_group_out");
+  EXPECT_EQ(protocol.group, "trial");
+  EXPECT_EQ(protocol.label, "material");
+  EXPECT_EQ(protocol.samples, 24U);
+  ASSERT_EQ(protocol.metrics.size(), 3U);
+  EXPECT_EQ(protocol.metrics[0].name, "zeal");
+  EXPECT_EQ(protocol.metrics[0].values, part().protocols[0].metrics[0].values);
+  EXPECT_TRUE(protocol.metrics[0].of_each.empty());
+  EXPECT_EQ(protocol.metrics[2].of_each, part().protocols[0].metrics[2].of_each);
+  EXPECT_TRUE(std::isnan(protocol.metrics[1].values[0]));
+  EXPECT_EQ(protocol.metrics[1].values[1], 1.0);
+}
+
+TEST(PartFile, DamageLeavesNothing) {
+  const std::string whole = part_file(part());
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    EXPECT_FALSE(read_part_file(whole.substr(0, length))) << length;
+  }
+  for (std::size_t i = 0; i < whole.size(); i += 7) {
+    std::string damaged = whole;
+    damaged[i] = damaged[i] == '1' ? '2' : '1';
+    EXPECT_FALSE(read_part_file(damaged)) << i;
+  }
+  EXPECT_FALSE(read_part_file("\n"));
+}
+
+}  // namespace
+}  // namespace somato
