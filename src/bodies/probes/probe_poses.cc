@@ -7,8 +7,8 @@
 
 #include "bodies/hands/played_frames.h"
 #include "bodies/objects/exploration_source.h"
-#include "bodies/probes/hardness_probe.h"
 #include "bodies/probes/probe_scene.h"
+#include "bodies/sensors/potentiometer.h"
 #include "somato/bodies/explore_by.h"
 #include "somato/simulation/simulation_parameters.h"
 
@@ -51,7 +51,7 @@ double lever_at(const Channel& sound, std::size_t frame) {
 }
 
 double stick_at(const Channel& potentiometer, std::size_t frame) {
-  return stick_position(double{potentiometer.frames(frame, 0)}, {}).value_or(0.0);
+  return detail::stick_position(double{potentiometer.frames(frame, 0)}, {}).value_or(0.0);
 }
 
 class ProbePlayer : public ScenePlayer {

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "somato/core/parameter.h"
+#include "somato/core/result.h"
+#include "somato/core/value.h"
+#include "somato/recording/recording.h"
+#include "somato/simulation/simulation_parameters.h"
+
+namespace somato {
+
+/// The parameters of the sensors, of those in ExploringParameters: the ones that sense() uses. All
+/// have different names.
+const std::vector<ParameterInfo>& sensor_parameters();
+
+/// `parameters` with the sensor parameters that `given` states by their names. Errors (kUsage) with
+/// their location: unknown names, values out of range.
+Result<ExploringParameters> read_sensor_parameters(const Table& given,
+                                                   ExploringParameters parameters);
+
+/// Whether all `given` sensor parameters have an effect on the readings of an exploration. Errors
+/// (kUsage): the first that has none, at its location.
+Result<void> check_sensor_effect(const Table& given, const Exploration& exploration);
+
+/// Plays the sensors of a simulated body: the exploration with the readings that these sensors make
+/// of its true values, which explore with SimulationParameters::true_values keeps (channels with
+/// names that begin with `true_`). What the body did remains as it was, although it may have
+/// depended on readings. The parameters and the seed of the exploration give its readings, bit by
+/// bit; `seed` replaces that seed for the noise and for the differences between sensors, and not
+/// for the movements. Parameters of anything but sensors have no effect, except
+/// `hardness_probe.stroke`, which is the default path of the potentiometer.
+///
+/// The result has the true channels only with `true_values` of these parameters.
+///
+/// Errors: kUsage for an exploration without true values and parameters out of range; kData for
+/// true values that `explore` does not write.
+Result<Exploration> sense(const Exploration& explored, const ExploringParameters& parameters,
+                          std::optional<std::uint64_t> seed = {});
+
+/// The same for all explorations, in `threads` threads, with the same result for any number of
+/// them. Errors name the exploration by its number, from 1.
+Result<Recording> sense(const Recording& explored, const ExploringParameters& parameters,
+                        std::optional<std::uint64_t> seed = {}, std::size_t threads = 1);
+
+}  // namespace somato
