@@ -5,9 +5,9 @@
 
 #include "base/files/toml_file.h"
 #include "base/text/text.h"
+#include "bodies/objects/selected_things.h"
 #include "flags/commands.h"
 #include "flags/output.h"
-#include "recordings/explorations/selected_things.h"
 #include "recordings/study_data.h"
 #include "som/data.h"
 #include "somato/recording/recording_file.h"

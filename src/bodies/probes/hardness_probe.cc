@@ -97,12 +97,15 @@ void declare_potentiometer(Declarations<HardnessProbeParameters>& d) {
   d.add("potentiometer_noise", &P::potentiometer_noise, "mm", Range::between(0, 1000),
         "Standard deviation of a reading. Not given in the paper.");
   d.add("potentiometer_path", &P::potentiometer_path, "mm", Range::between(0.1, 1e4),
-        "Path of the stick that the bits of the potentiometer cover; automatic: the stroke.");
+        "Path of the stick that the bits of the potentiometer cover; automatic: the stroke. Not "
+        "given in the paper.");
   d.add("potentiometer_offset", &P::potentiometer_offset, "", Range::between(0, 1),
-        "Reading of the stick at 0, as a share of the range of the potentiometer.");
+        "Reading of the stick at 0, as a share of the range of the potentiometer. Not given in the "
+        "paper.");
   d.add("press_spread", &P::press_spread, "mm", Range::between(0, 100),
         "Standard deviation, between explorations, of the difference of the potentiometer from the "
-        "stick, constant during a press, as with play and dead band of a servo; 0: none.");
+        "stick, constant during a press, as with play and dead band of a servo; 0: none. Not given "
+        "in the paper.");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "recordings/explorations/selected_things.h"
+#include "bodies/objects/selected_things.h"
 
 #include <fmt/format.h>
 
