@@ -23,7 +23,7 @@ struct ExplorerSetup {
     return draws_seed(seed, thing, trial, draws);
   }
 
-  /// What the noise in one exploration depends on.
+  /// The numbers on which the noise in one exploration depends.
   ExplorationDraws draws_of(std::size_t thing, std::size_t trial) const;
 
   bool keeps_true_values() const { return parameters.simulation.true_values; }

@@ -79,7 +79,7 @@ class Whine {
                         tick_rate(parameters)),
         turns_(draws.turns) {}
 
-  // Of the next tick, as a multiple of its root mean square.
+  // The sound of the next tick, as a multiple of its root mean square.
   double next() {
     turns_ += turns_per_tick_;
     turns_ -= std::floor(turns_);
@@ -93,7 +93,7 @@ class Whine {
   double turns_;
 };
 
-// What the microphone passes of a signal, sampled once per given number of ticks.
+// The part of a signal that the microphone and its filter pass.
 class Band {
  public:
   explicit Band(const TextureProbeParameters& parameters)

@@ -14,7 +14,8 @@ enum class Draws : std::uint32_t { kPlacement, kHand, kTexture, kHardness };
 /// The seed of these draws in one exploration; far apart from all others.
 std::uint64_t draws_seed(std::uint64_t seed, std::uint64_t thing, std::uint64_t trial, Draws draws);
 
-/// What the noise of the sensors in an exploration depends on, besides their settings.
+/// The numbers on which the noise of the sensors in an exploration depends, besides their
+/// settings.
 struct ExplorationDraws {
   std::uint64_t seed = 0;          ///< Seed of the simulation.
   std::uint64_t thing = 0;         ///< Index in the table of things that were explored.

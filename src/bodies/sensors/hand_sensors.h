@@ -32,7 +32,7 @@ class HandSensors {
   /// `joints`; of the taxels (N), if there are any, and their piezo elements, for piezo().
   std::vector<Matrix<float>> read(const std::vector<double>& joints);
 
-  /// Leaves out the next `readings`, which nobody needs.
+  /// Leaves out the next `readings`, which are not recorded.
   void skip(std::uint64_t readings);
 
  private:

@@ -10,8 +10,9 @@
 
 namespace somato::detail {
 
-/// What the sensors of a hand measure during an exploration: its true joint angles at the recorded
-/// readings, and the force on each taxel whenever it changes, also between these readings.
+/// The quantities that the sensors of a hand measure during an exploration: its true joint angles
+/// at the recorded readings, and the force on each taxel whenever it changes, also between these
+/// readings.
 class HandTruth {
  public:
   /// A recorded reading.

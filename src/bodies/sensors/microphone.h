@@ -8,7 +8,7 @@
 
 namespace somato::detail {
 
-/// What a microphone receives in a frame of the sound.
+/// The signals that a microphone receives in a frame of the sound.
 struct TrueSound {
   double edge = 0.0;   ///< Velocity of the edge in its band, mm/s.
   double servo = 0.0;  ///< Sound of the servo in its band, as a multiple of its root mean square.
@@ -39,7 +39,7 @@ class Microphone {
   /// The reading of the next frame, with one normal number of `noise`.
   float read(const TrueSound& sound, Random& noise);
 
-  /// Leaves out the next `frames`, which nobody needs.
+  /// Leaves out the next `frames`, which are not recorded.
   void skip(std::uint64_t frames, Random& noise);
 
  private:
@@ -56,10 +56,10 @@ class Microphone {
 
 /// The numbers that a stroke draws before its noise.
 struct StrokeDraws {
-  double start = 0.0;   ///< Of the place along the track, normal.
-  double across = 0.0;  ///< Across it, normal.
-  double tone = 0.0;    ///< Of the servo's tone, normal.
-  double turns = 0.0;   ///< The phase of the servo's tone, uniform.
+  double start = 0.0;   ///< Deviation of the place along the track, normal.
+  double across = 0.0;  ///< Deviation of the place across it, normal.
+  double tone = 0.0;    ///< Deviation of the servo's tone, normal.
+  double turns = 0.0;   ///< Phase of the servo's tone, uniform.
 };
 
 StrokeDraws draw_stroke(Random& random);

@@ -9,7 +9,7 @@
 
 namespace somato::detail {
 
-/// What the microphone receives during a stroke.
+/// The signals that the microphone receives during a stroke.
 class SoundTruth {
  public:
   /// A frame of the step in progress.

@@ -169,8 +169,8 @@ TEST(Sense, PressesOfOneStickSpreadAsDeclared) {
   EXPECT_NEAR(std::sqrt(squares / kPresses - mean * mean), 0.1, 0.015);
 }
 
-// With a spread of gains alone each taxel reads its force times a constant of its own, in all
-// explorations of a hand.
+// Without other deviations than the spread of gains, each taxel reads its force times a constant of
+// its own, in all explorations of a hand.
 TEST(Sense, SensorsOfAHandDifferInTheSameWayInAllExplorations) {
   ExploringParameters parameters = keeping();
   const Exploration first = felt_by(ExploringBody::kLucs2, parameters, 3, 0);
@@ -214,7 +214,8 @@ TEST(Sense, ARestingLevelIsReadWithoutContact) {
   EXPECT_GT(*most, 0.6F);
 }
 
-// Of white noise through a low-pass of first order, neighbours correlate by exp(-2 pi f / rate).
+// Neighbouring samples of white noise through a low-pass of first order correlate by exp(-2 pi f /
+// rate).
 TEST(Sense, TheSoundOfTheRoomHasItsLoudnessAndItsColour) {
   ExploringParameters parameters = keeping();
   const Exploration stroke = felt_by(ExploringBody::kTexture, parameters);
