@@ -6,6 +6,7 @@
 #include "base/files/toml_file.h"
 #include "base/text/text.h"
 #include "bodies/objects/selected_things.h"
+#include "bodies/sensors/sensor_parameters.h"
 #include "flags/commands.h"
 #include "flags/output.h"
 #include "recordings/study_data.h"

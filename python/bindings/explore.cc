@@ -7,6 +7,7 @@
 #include "base/files/toml_file.h"
 #include "bindings.h"
 #include "bodies/objects/selected_things.h"
+#include "bodies/sensors/sensor_parameters.h"
 #include "errors.h"
 #include "interrupts.h"
 #include "nanobind/stl/optional.h"

@@ -1,9 +1,10 @@
+#include "bodies/sensors/sensor_parameters.h"
+
 #include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "bodies/sensors/exact_values.h"
-#include "somato/simulation/sense.h"
 
 namespace somato {
 namespace {

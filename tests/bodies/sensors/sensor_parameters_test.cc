@@ -1,9 +1,8 @@
+#include "bodies/sensors/sensor_parameters.h"
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
-
-#include "somato/simulation/sense.h"
 
 namespace somato {
 namespace {
