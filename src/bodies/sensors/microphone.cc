@@ -11,7 +11,6 @@ namespace somato::detail {
 RoomSound::RoomSound(double cutoff, double rate, std::uint64_t seed)
     : kept_(exponential(-2.0 * std::numbers::pi * cutoff / rate)),
       fresh_(std::sqrt(1.0 - kept_ * kept_)),
-      value_(0.0),
       random_(seed, Stream::kNoise) {
   value_ = random_.normal();
 }

@@ -26,7 +26,7 @@ class RoomSound {
  private:
   double kept_;
   double fresh_;
-  double value_;
+  double value_ = 0.0;
   Random random_;
 };
 

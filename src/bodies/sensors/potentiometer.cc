@@ -35,9 +35,9 @@ float Potentiometer::read(double position, double deviation) const {
 
 std::optional<double> stick_position(double counts, const HardnessProbeParameters& parameters) {
   const double share = counts / most_counts(parameters);
-  if (!(share >= 0.0 && share <= 1.0)) return {};
-  return std::clamp((share - parameters.potentiometer_offset) * path_of(parameters), 0.0,
-                    parameters.stroke);
+  const double position = (share - parameters.potentiometer_offset) * path_of(parameters);
+  if (share >= 0.0 && share <= 1.0) return std::clamp(position, 0.0, parameters.stroke);
+  return {};
 }
 
 double draw_press(Random& random) {
