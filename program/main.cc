@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
       som_predict_command(),  completions_command(),    emulate_command(),
       device_check_command(), device_monitor_command(), device_calibrate_command(),
   };
+  commands.insert(commands.begin() + 1, sense_command());
   commands.push_back(reference_command(commands));
   if (is_completion_request(argc, argv)) return answer_completion_request(argc, argv, commands);
   return run_command_line(argc, argv, commands);

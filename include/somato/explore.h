@@ -9,5 +9,6 @@
 #include "somato/bodies/exploring.h"
 #include "somato/bodies/material.h"
 #include "somato/bodies/object_table.h"
+#include "somato/simulation/sense.h"
 #include "somato/simulation/simulated_explorer.h"
 #include "somato/simulation/simulated_hand.h"

@@ -19,6 +19,7 @@ Command modules_command();
 Command view_command();
 Command live_command();
 Command explore_command();
+Command sense_command();
 Command emulate_command();
 Command device_check_command();
 Command device_monitor_command();

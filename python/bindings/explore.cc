@@ -6,6 +6,8 @@
 
 #include "base/files/toml_file.h"
 #include "bindings.h"
+#include "bodies/objects/selected_things.h"
+#include "bodies/sensors/sensor_parameters.h"
 #include "errors.h"
 #include "interrupts.h"
 #include "nanobind/stl/optional.h"
@@ -17,6 +19,7 @@
 #include "recordings/explorations/nanoseconds.h"
 #include "somato/bodies/exploring.h"
 #include "somato/bodies/object_table.h"
+#include "somato/simulation/sense.h"
 #include "somato/simulation/simulated_explorer.h"
 
 namespace somato::python {
@@ -99,6 +102,31 @@ std::pair<Recording, std::vector<std::string>> explore(const SimulatedExplorer& 
   return {std::move(recording), failures_of(explorer, explored)};
 }
 
+// The table that the selected explorations of a recording make.
+Recording selected(const Recording& recording, const std::vector<std::string>& things,
+                   std::optional<std::size_t> explorations) {
+  return value_or_throw(select_things(recording, {things, explorations}));
+}
+
+// The explorations with the readings of other sensors.
+Recording sensed(const Recording& recording, const std::optional<std::string>& settings,
+                 const nb::dict& sensors, std::optional<std::uint64_t> seed, std::size_t threads) {
+  ExploringParameters parameters;
+  if (settings) {
+    parameters = value_or_throw(read_toml(*settings).and_then(
+        [](const Table& file) { return read_exploring_parameters(file); }));
+  }
+  const Table given = table_of(sensors, "sense");
+  value_or_throw(check_sensor_effect(given, recording.explorations.front()));
+  parameters = read_or_throw(read_sensor_parameters(given, std::move(parameters)));
+  Result<Recording> result;
+  {
+    const nb::gil_scoped_release released;
+    result = sense(recording, parameters, seed, threads);
+  }
+  return value_or_throw(std::move(result));
+}
+
 }  // namespace
 
 void bind_explore(nb::module_& module) {
@@ -111,6 +139,10 @@ void bind_explore(nb::module_& module) {
   module.def("simulation_parameters",
              [] { return descriptions_of(SimulationParameters::declarations().infos()); });
   module.def("own_object_tables", &own_object_tables);
+  module.def("selected", &selected, nb::arg("recording"), nb::arg("things"),
+             nb::arg("explorations").none());
+  module.def("sensed", &sensed, nb::arg("recording"), nb::arg("settings").none(),
+             nb::arg("sensors"), nb::arg("seed").none(), nb::arg("threads"));
 }
 
 }  // namespace somato::python

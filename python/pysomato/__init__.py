@@ -34,7 +34,7 @@ _NAMES_OF = {
     "errors": ["ConversionWarning", "DataError", "DataTypeError", "Error", "LabelWarning", "LeftOutWarning",
                "MissingChannelError", "NotFittedError", "OperatingSystemError", "PrecisionWarning",
                "UsageError"],
-    "exploring": ["explore", "object_tables"],
+    "exploring": ["explore", "object_tables", "sense"],
     "figures": ["figure"],
     "recording": ["Recording", "read"],
     "som": ["SOM"],

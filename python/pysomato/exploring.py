@@ -6,6 +6,7 @@ import warnings
 from . import _somato
 from ._inputs.numbers import at_least_one, number_of_threads
 from ._progress import shown
+from .errors import UsageError
 from .recording import Recording
 
 
@@ -45,6 +46,39 @@ def explore(body, *, objects=None, explorations=5, seed=1, settings=None, longes
     for failure in failures:
         warnings.warn(f"an exploration failed: {failure}", stacklevel=2)
     return Recording(recording)
+
+
+def sense(recording, *, settings=None, seed=None, objects=(), explorations=None, threads=None,
+          **sensors) -> Recording:
+    """Plays the sensors of a simulated body, as ``somato sense`` does: the explorations of a recording with the
+    readings of other sensors.
+
+    The recording has true values if ``explore`` made it with ``true_values=True``. The parameters and
+    the seed of the exploration give its readings, bit by bit. What the body did remains as it was.
+
+    Args:
+        recording: A recording with true values, which ``explore`` or ``read`` gave.
+        settings: A TOML file with tables of parameters, as for ``explore``; those of the sensors count.
+        seed: Seed of the noise and of the differences between sensors; None: that of the recording.
+        objects: Names of objects, or of materials in a recording without objects, whose explorations
+            are taken in this order; empty: all.
+        explorations: Number of explorations of each, the first ones; None: all.
+        threads: Threads that play; None: as many as the machine runs at once. Does not affect the
+            result.
+        sensors: Parameters of the sensors, such as ``sensor_noise=0.0`` or ``potentiometer_bits=8``.
+
+    Raises:
+        UsageError: The recording has no true values, there is no such object, or an argument is wrong.
+        DataError: Another program has changed the true values.
+    """
+    if isinstance(objects, str):
+        raise UsageError("sense(objects): a list of names is required, not a text")
+    if explorations is not None:
+        explorations = at_least_one(explorations, "sense(explorations)")
+    threads = number_of_threads(threads, "sense")
+    chosen = _somato.selected(recording._inner, list(objects), explorations)
+    settings = None if settings is None else os.fspath(settings)
+    return Recording(_somato.sensed(chosen, settings, sensors, seed, threads))
 
 
 def object_tables() -> list[str]:

@@ -47,11 +47,13 @@ class HandScene {
 /// `silhouette`, pixels x pixels, the share of each pixel that the object covers, seen by a camera.
 class SimulatedHand : public Body {
  public:
-  /// An open hand, with the object at its placement; `seed` is the seed of all noise. Errors
-  /// (kUsage): the open hand collides with the object.
+  /// An open hand, with the object at its placement; `seed` is the seed of all noise, `hand_seed`
+  /// that of the differences between its touch sensors. Errors (kUsage): the open hand collides
+  /// with the object.
   static Result<std::unique_ptr<SimulatedHand>> create(const HandScene& scene,
                                                        const Placement& placement,
-                                                       std::uint64_t seed);
+                                                       std::uint64_t seed,
+                                                       std::uint64_t hand_seed = 0);
   SimulatedHand(const SimulatedHand&) = delete;
   SimulatedHand(SimulatedHand&&) = delete;
   SimulatedHand& operator=(const SimulatedHand&) = delete;
@@ -65,6 +67,10 @@ class SimulatedHand : public Body {
   /// does not fit it. Does not move the hand. Only for hands whose servos turn their joints
   /// directly (Hand II).
   Result<void> check_clear(std::span<const double> positions) const;
+
+  /// Keeps the true values of the last step, whose readings are recorded: with the parameter
+  /// `true_values`.
+  void keep_true_values();
 
   class Impl;
   const Impl& impl() const { return *impl_; }

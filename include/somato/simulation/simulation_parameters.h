@@ -37,10 +37,19 @@ struct SimulationParameters {
   double touch_threshold = 0.1;
   double piezo_time = 0.1;
   PiezoConverter piezo_converter = PiezoConverter::kUnipolar;
+  double touch_rest = 0.0;
+  double touch_rest_spread = 0.0;
+  double touch_gain_spread = 0.0;
+  std::optional<std::size_t> touch_bits;
+  double touch_range = 10.0;
+  double joint_spread = 0.0;
+  std::optional<std::size_t> joint_bits;
+  double joint_range = 180.0;
   std::optional<double> friction;
   std::size_t silhouette = 0;
   double silhouette_side = 200.0;
   double silhouette_centre = 60.0;
+  bool true_values = false;
 
   static const Declarations<SimulationParameters>& declarations();
 };
@@ -63,6 +72,8 @@ struct TextureProbeParameters {
   double sensitivity = 15.0;
   double microphone_low = 20.0;
   double microphone_noise = 1.0;
+  double ambient_sound = 0.0;
+  double ambient_cutoff = 100.0;
   double servo_tone = 210.0;
   double servo_tone_spread = 0.02;
   double servo_noise = 3.0;
@@ -90,6 +101,9 @@ struct HardnessProbeParameters {
   double force_noise = 0.01;
   std::size_t potentiometer_bits = 18;
   double potentiometer_noise = 0.006;
+  std::optional<double> potentiometer_path;
+  double potentiometer_offset = 0.0;
+  double press_spread = 0.0;
 
   static const Declarations<HardnessProbeParameters>& declarations();
 

@@ -4,14 +4,12 @@
 #include <cstdint>
 #include <string>
 
+#include "bodies/sensors/exploration_draws.h"
 #include "somato/bodies/placement.h"
 #include "somato/simulation/simulated_explorer.h"
 #include "somato/simulation/simulation_parameters.h"
 
 namespace somato::detail {
-
-/// Random quantities of an exploration.
-enum class Draws : std::uint32_t { kPlacement, kHand, kTexture, kHardness };
 
 /// Settings of all simulated explorers.
 struct ExplorerSetup {
@@ -20,8 +18,15 @@ struct ExplorerSetup {
   std::string source;                 ///< The source of each exploration.
   GraspPictures* pictures = nullptr;  ///< Destination of pictures of grasps, or nullptr.
 
-  /// The seed of these draws in one exploration; far apart from all others.
-  std::uint64_t seed_of(std::size_t thing, std::size_t trial, Draws draws) const;
+  /// See draws_seed().
+  std::uint64_t seed_of(std::size_t thing, std::size_t trial, Draws draws) const {
+    return draws_seed(seed, thing, trial, draws);
+  }
+
+  /// The numbers on which the noise in one exploration depends.
+  ExplorationDraws draws_of(std::size_t thing, std::size_t trial) const;
+
+  bool keeps_true_values() const { return parameters.simulation.true_values; }
 
   /// The placement of an object before a hand, drawn with that seed.
   Placement placement_of(std::size_t thing, std::size_t trial) const;

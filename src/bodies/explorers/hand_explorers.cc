@@ -8,6 +8,8 @@
 #include "bodies/body/exploration_plan.h"
 #include "bodies/hands/hand_picture.h"
 #include "bodies/hands/hand_poses.h"
+#include "bodies/hands/simulated_hand_impl.h"
+#include "bodies/sensors/exploration_draws.h"
 #include "somato/bodies/explore_by.h"
 
 namespace somato::detail {
@@ -20,6 +22,16 @@ std::vector<ExploredThing> objects_of(const std::vector<HandScene>& scenes) {
     things.push_back({scene.object().name, scene.object(), scene.object().material});
   }
   return things;
+}
+
+// The same options with an observer that keeps the true values of recorded steps.
+ExploreOptions keeping_true_values(ExploreOptions options, SimulatedHand& hand) {
+  options.observer.on_step = [&hand, seen = std::move(options.observer.on_step)](
+                                 const ExplorationStep& step) -> Result<void> {
+    if (step.readings == Readings::kRecorded) hand.keep_true_values();
+    return seen ? seen(step) : Result<void>();
+  };
+  return options;
 }
 
 class HandExplorer : public SimulatedExplorer {
@@ -36,21 +48,38 @@ class HandExplorer : public SimulatedExplorer {
     const HandScene& scene = scenes_[thing];
     SOMATO_TRY(auto hand, SimulatedHand::create(
                               scene, options.placement.value_or(setup_.placement_of(thing, trial)),
-                              setup_.seed_of(thing, trial, Draws::kHand)));
+                              setup_.seed_of(thing, trial, Draws::kHand), setup_.seed));
     const auto draw = [&](std::size_t grasp) -> Result<void> {
       if (setup_.pictures == nullptr) return {};
       setup_.pictures->save(*hand, scene.object().name, trial, grasp);
       return {};
     };
+    const ExploreOptions observed =
+        setup_.keeps_true_values() ? keeping_true_values(options, *hand) : options;
     auto exploration =
         prepare_body(
-            *hand, options, [&] { return scene_of(scene); }, [&] { return poses_of(*hand); })
+            *hand, observed, [&] { return scene_of(scene); }, [&] { return poses_of(*hand); })
             .and_then([&] { return explore_with(*hand, draw); });
-    if (exploration) exploration->labels = labels_of(scene.object(), trial);
+    if (!exploration) return exploration;
+    exploration->labels = labels_of(scene.object(), trial);
+    if (setup_.keeps_true_values()) add_true_values(*hand, thing, trial, *exploration);
     return exploration;
   }
 
  private:
+  void add_true_values(const SimulatedHand& hand, std::size_t thing, std::size_t trial,
+                       Exploration& exploration) const {
+    const auto names_of = [&](const char* sensor) {
+      const auto found = find_sensor(hand.description(), sensor);
+      return found ? hand.description().sensors[*found].element_names : std::vector<std::string>();
+    };
+    const bool has_potentiometers = hand_ == Hand::kLucs3;
+    hand.impl().truth.add_to(exploration,
+                             has_potentiometers ? names_of("joints") : std::vector<std::string>(),
+                             names_of("touch"));
+    put_draws(setup_.draws_of(thing, trial), exploration);
+  }
+
   Result<Exploration> explore_with(Body& hand, const AfterGrasp& after_grasp) const {
     const ExploringParameters& parameters = setup_.parameters;
     if (hand_ == Hand::kLucs2) {

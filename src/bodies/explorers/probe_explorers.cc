@@ -8,6 +8,8 @@
 #include "bodies/probes/hardness_probe.h"
 #include "bodies/probes/probe_scene.h"
 #include "bodies/probes/texture_probe.h"
+#include "bodies/sensors/potentiometer.h"
+#include "bodies/sensors/probe_truth.h"
 
 namespace somato::detail {
 namespace {
@@ -23,13 +25,32 @@ struct Trial {
   std::uint64_t seed_of(Draws draws) const { return setup.seed_of(thing, number, draws); }
 };
 
-Result<Exploration> stroke(const Trial& trial) {
+// The true values of both probes.
+struct ProbeTruth {
+  SoundTruth sound;
+  StickTruth stick;
+};
+
+// The same options with an observer that keeps the true sound of recorded steps.
+ExploreOptions keeping_true_sound(ExploreOptions options, SoundTruth& truth) {
+  options.observer.on_step = [&truth, seen = std::move(options.observer.on_step)](
+                                 const ExplorationStep& step) -> Result<void> {
+    truth.end_step(step.readings == Readings::kRecorded);
+    return seen ? seen(step) : Result<void>();
+  };
+  return options;
+}
+
+// The true values are kept in `truth` unless it is nullptr.
+Result<Exploration> stroke(const Trial& trial, SoundTruth* truth) {
   const ExploringParameters& parameters = trial.setup.parameters;
-  SOMATO_TRY(auto probe, make_texture_probe(trial.material, parameters.texture_probe,
-                                            {trial.setup.seed, trial.seed_of(Draws::kTexture)}));
+  SOMATO_TRY(auto probe,
+             make_texture_probe(trial.material, parameters.texture_probe,
+                                {trial.setup.seed, trial.seed_of(Draws::kTexture)}, truth));
+  const ExploreOptions options =
+      truth != nullptr ? keeping_true_sound(trial.options, *truth) : trial.options;
   return prepare_body(
-             *probe, trial.options,
-             [&] { return probe_scene(Probe::kTexture, trial.material.name); },
+             *probe, options, [&] { return probe_scene(Probe::kTexture, trial.material.name); },
              [&] {
                return probe_poses(Probe::kTexture, {.lever = probe->state().positions.front()});
              })
@@ -38,10 +59,10 @@ Result<Exploration> stroke(const Trial& trial) {
 
 // The servo's potentiometer measures the position of the stick: its driver does not detect what
 // stops it.
-Result<Exploration> press(const Trial& trial) {
+Result<Exploration> press(const Trial& trial, StickTruth* truth) {
   const ExploringParameters& parameters = trial.setup.parameters;
   SOMATO_TRY(auto probe, make_hardness_probe(trial.material, parameters.hardness_probe,
-                                             trial.seed_of(Draws::kHardness)));
+                                             trial.seed_of(Draws::kHardness), truth));
   const auto poses = [&] {
     const Matrix<float>& read = probe->state().readings.front();
     const double counts = read.empty() ? 0.0 : double{read(0, 0)};
@@ -54,17 +75,36 @@ Result<Exploration> press(const Trial& trial) {
       .and_then([&] { return explore_by_pressing(*probe, parameters.press); });
 }
 
+// Adds the true values of the probes that explored, after all readings.
+void add_true_values(Probe probe, const Trial& trial, const ProbeTruth& truth,
+                     Exploration& exploration) {
+  ExplorationDraws draws = trial.setup.draws_of(trial.thing, trial.number);
+  if (probe != Probe::kHardness) {
+    const Channel& sound = **find_channel(exploration, "sound");
+    truth.sound.add_to(exploration, sound.frames.rows());
+    draws.sound_before = truth.sound.before();
+  }
+  if (probe != Probe::kTexture) {
+    truth.stick.add_to(exploration);
+    draws.stick_before = truth.stick.ticks;
+  }
+  put_draws(draws, exploration);
+}
+
 // Adds the channels of the probes to the exploration.
 Result<Exploration> try_material(Probe probe, const Trial& trial, Exploration exploration = {}) {
+  const bool keeps = trial.setup.keeps_true_values();
+  ProbeTruth truth;
   const auto append = [&](Exploration&& more) {
     std::move(more.channels.begin(), more.channels.end(), std::back_inserter(exploration.channels));
   };
   if (probe != Probe::kHardness) {
-    SOMATO_TRY_VOID(stroke(trial).map(append));
+    SOMATO_TRY_VOID(stroke(trial, keeps ? &truth.sound : nullptr).map(append));
   }
   if (probe != Probe::kTexture) {
-    SOMATO_TRY_VOID(press(trial).map(append));
+    SOMATO_TRY_VOID(press(trial, keeps ? &truth.stick : nullptr).map(append));
   }
+  if (keeps) add_true_values(probe, trial, truth, exploration);
   return exploration;
 }
 

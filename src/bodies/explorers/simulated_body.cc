@@ -23,8 +23,9 @@ Result<std::unique_ptr<Body>> placed_hand(Hand hand, const Object& object,
                                           const ExplorerSetup& setup, std::size_t thing,
                                           std::size_t trial) {
   SOMATO_TRY(const auto scene, HandScene::build(hand, object, setup.parameters.simulation));
-  SOMATO_TRY(auto placed, SimulatedHand::create(scene, setup.placement_of(thing, trial),
-                                                setup.seed_of(thing, trial, Draws::kHand)));
+  SOMATO_TRY(auto placed,
+             SimulatedHand::create(scene, setup.placement_of(thing, trial),
+                                   setup.seed_of(thing, trial, Draws::kHand), setup.seed));
   return std::unique_ptr<Body>(std::move(placed));
 }
 

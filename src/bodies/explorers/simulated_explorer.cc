@@ -37,6 +37,7 @@ Result<ObjectTable> default_things(ExploringBody body) {
 
 Result<void> check_effect(ExploringBody body, const Table& given) {
   for (const Table::Entry& entry : given.entries) {
+    if (entry.name == "true_values") continue;
     if (is_probe(body) || (entry.name == "taxels" && body == ExploringBody::kLucs2)) {
       return fail(ErrorKind::kUsage, "has no effect on the body " + choice_name(body), entry.where,
                   "omit it");

@@ -37,24 +37,13 @@ Matrix<float> row(std::span<const double> values) {
   return matrix;
 }
 
-std::vector<double> noisy(const std::vector<double>& values, double deviation, Random& noise) {
-  std::vector<double> read(values.size());
-  for (std::size_t i = 0; i < read.size(); ++i) read[i] = values[i] + deviation * noise.normal();
-  return read;
+std::size_t count_joints(const HandScene::Impl& scene) {
+  return scene.hand == Hand::kLucs2 ? 0 : static_cast<std::size_t>(scene.model->nsensor);
 }
 
-// The readings of touch sensors, computed from those of their converters.
-std::vector<double> reported(std::vector<double> read, PiezoConverter converter, double threshold) {
-  for (double& value : read) {
-    if (converter == PiezoConverter::kUnipolar) value = std::max(0.0, value);
-    if (std::abs(value) < threshold) value = 0.0;
-  }
-  return read;
-}
-
-// The potentiometers inside the servos of Hand III, in deg.
-std::vector<double> servo_angles(const mjModel& model, const mjData& data) {
-  std::vector<double> angles(static_cast<std::size_t>(model.nsensor));
+// The angles of the servos of Hand III, where its potentiometers are, in deg.
+std::vector<double> servo_angles(const mjModel& model, const mjData& data, std::size_t count) {
+  std::vector<double> angles(count);
   for (std::size_t i = 0; i < angles.size(); ++i)
     angles[i] = data.sensordata[model.sensor_adr[i]] * 180.0 / std::numbers::pi;
   return angles;
@@ -84,16 +73,6 @@ const BodyState& SimulatedHand::state() const {
 
 namespace {
 
-void read_taxels(SimulatedHand::Impl& impl) {
-  const SimulationParameters& given = impl.scene->parameters;
-  const auto report = [&](const std::vector<double>& sensed, PiezoConverter converter) {
-    impl.state.readings.push_back(row(
-        reported(noisy(sensed, given.sensor_noise, impl.noise), converter, given.touch_threshold)));
-  };
-  report(impl.forces, PiezoConverter::kUnipolar);  // no contact pulls
-  report(impl.piezo.signals(), given.piezo_converter);
-}
-
 // Reads the camera: the silhouette of the object; the centre of the view is above the place of the
 // object.
 void read_silhouette(SimulatedHand::Impl& impl) {
@@ -118,11 +97,12 @@ void read_sensors(SimulatedHand::Impl& impl) {
     state.readings.push_back(row(positions.first(1)));
     state.readings.push_back(row(positions.subspan(1, 1)));
     state.readings.push_back(row(positions.subspan(2)));
-  } else {
-    state.readings.push_back(row(
-        noisy(servo_angles(*scene.model, *impl.data), scene.parameters.joint_noise, impl.noise)));
   }
-  if (!impl.forces.empty()) read_taxels(impl);
+  const std::vector<double> angles = servo_angles(*scene.model, *impl.data, count_joints(scene));
+  for (Matrix<float>& reading : impl.sensors.read(angles)) {
+    state.readings.push_back(std::move(reading));
+  }
+  if (scene.parameters.true_values) impl.truth.read(angles);
   if (scene.parameters.silhouette > 0) read_silhouette(impl);
 }
 
@@ -130,16 +110,22 @@ void read_sensors(SimulatedHand::Impl& impl) {
 
 Result<std::unique_ptr<SimulatedHand>> SimulatedHand::create(const HandScene& scene,
                                                              const Placement& placement,
-                                                             std::uint64_t seed) {
+                                                             std::uint64_t seed,
+                                                             std::uint64_t hand_seed) {
   const auto& parts = scene.shared_impl();
   SOMATO_TRY(auto data, detail::make_data(parts->model));
   auto impl = std::make_unique<Impl>(
-      Impl{parts, std::move(data),
+      Impl{parts,
+           std::move(data),
            detail::ServoDriver(*parts->model, parts->start, parts->parameters.servo_play,
                                Random(seed, Stream::kServoPlay)),
-           detail::PiezoElements(parts->taxels.names.size(), parts->parameters.piezo_time),
-           detail::object_pose(*parts, placement), Random(seed, Stream::kHandSensors),
-           std::vector<double>(parts->taxels.names.size(), 0.0), 0.0, BodyState{}});
+           detail::HandSensors(parts->parameters,
+                               {count_joints(*parts), parts->taxels.names.size()}, seed, hand_seed),
+           detail::object_pose(*parts, placement),
+           std::vector<double>(parts->taxels.names.size(), 0.0),
+           0.0,
+           BodyState{},
+           {}});
   set_joints(*parts->model, parts->start, *impl->data);
   detail::put_object(*parts, impl->placed, *impl->data);
   mj_forward(parts->model.get(), impl->data.get());
@@ -157,6 +143,10 @@ Result<void> SimulatedHand::check_clear(std::span<const double> positions) const
   detail::put_object(scene, impl_->placed, *data);
   mj_forward(scene.model.get(), data.get());
   return detail::check_apart(scene, *data);
+}
+
+void SimulatedHand::keep_true_values() {
+  impl_->truth.keep();
 }
 
 Result<void> SimulatedHand::drive_to(std::span<const double> targets) {
@@ -178,7 +168,8 @@ Result<void> SimulatedHand::pass(double seconds) {
     impl.driver.step(model, commands);
     mj_step(&model, impl.data.get());
     detail::read_forces(model, *impl.data, scene.taxels, impl.forces);
-    impl.piezo.step(impl.forces, model.opt.timestep);
+    impl.sensors.piezo().step(impl.forces, model.opt.timestep);
+    if (scene.parameters.true_values) impl.truth.step(impl.forces);
     if (++steps % kStepsBetweenStops != 0) continue;
     SOMATO_TRY_VOID(check_stop());
   }

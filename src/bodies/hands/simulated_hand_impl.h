@@ -5,6 +5,8 @@
 #include "bodies/hands/hand_scene.h"
 #include "bodies/hands/object_motion.h"
 #include "bodies/hands/servo_driver.h"
+#include "bodies/sensors/hand_sensors.h"
+#include "bodies/sensors/hand_truth.h"
 
 namespace somato {
 
@@ -14,12 +16,12 @@ class SimulatedHand::Impl {
   std::shared_ptr<const HandScene::Impl> scene;
   detail::PhysicsData data;
   detail::ServoDriver driver;
-  detail::PiezoElements piezo;
+  detail::HandSensors sensors;
   detail::Pose placed;
-  Random noise;
   std::vector<double> forces;  ///< N, of each taxel, without noise.
   double owed = 0.0;           ///< Seconds that passed beyond the last whole time step.
   BodyState state;
+  detail::HandTruth truth;  ///< Empty unless the scene's parameters ask for true values.
 };
 
 }  // namespace somato

@@ -85,6 +85,31 @@ const Declarations<SimulationParameters>& SimulationParameters::declarations() {
     d.add("piezo_converter", &SimulationParameters::piezo_converter, "", Range::any(),
           "Whether the converter of a piezo element reports falling loads, whose voltage is "
           "negative, or 0 instead. Not given in the paper.");
+    d.add("touch_rest", &SimulationParameters::touch_rest, "N", Range::between(0, 100),
+          "Median resting level of the touch sensors: what they read without contact; 0: none. Not "
+          "given in the paper.");
+    d.add("touch_rest_spread", &SimulationParameters::touch_rest_spread, "", Range::between(0, 3),
+          "Standard deviation of the natural logarithm of the resting level between the sensors of "
+          "a hand; 0: all are equal. Not given in the paper.");
+    d.add(
+        "touch_gain_spread", &SimulationParameters::touch_gain_spread, "", Range::between(0, 3),
+        "Standard deviation of the natural logarithm of the sensitivity between the touch sensors "
+        "of a hand; 0: all are equal. Not given in the paper.");
+    d.add("touch_bits", &SimulationParameters::touch_bits, "bits", Range::between(1, 24),
+          "Resolution of the converter of the touch sensors over touch_range; automatic: without "
+          "steps and limits. Not given in the paper.");
+    d.add("touch_range", &SimulationParameters::touch_range, "N", Range::between(1e-3, 1e6),
+          "Force at which the converter of the touch sensors saturates; no effect without "
+          "touch_bits. Not given in the paper.");
+    d.add("joint_spread", &SimulationParameters::joint_spread, "deg", Range::between(0, 90),
+          "Standard deviation, between explorations, of the difference of a potentiometer from the "
+          "angle of its servo, constant during an exploration; 0: none. Not given in the paper.");
+    d.add("joint_bits", &SimulationParameters::joint_bits, "bits", Range::between(1, 24),
+          "Resolution of the converter of the potentiometers of the joints over joint_range; "
+          "automatic: without steps. Not given in the paper.");
+    d.add("joint_range", &SimulationParameters::joint_range, "deg", Range::between(1, 3600),
+          "Angle that the converter of the potentiometers covers; no effect without joint_bits. "
+          "Not given in the paper.");
     d.add(
         "friction", &SimulationParameters::friction, "", Range::between(0, 2),
         "Coulomb friction of the object; automatic: that of its material. Not given in the paper.");
@@ -98,6 +123,9 @@ const Declarations<SimulationParameters>& SimulationParameters::declarations() {
           Range::between(0, 1000),
           "Height above the place of the object of the point in the middle of the image. Not "
           "given in the paper.");
+    d.add("true_values", &SimulationParameters::true_values, "", Range::any(),
+          "Whether the recording also contains the true values, such as forces and angles, from "
+          "which `somato sense` computes the readings of other sensors; of hands and probes.");
     return d;
   }();
   return all;

@@ -42,12 +42,4 @@ void read_forces(const mjModel& model, const mjData& data, const Taxels& taxels,
   }
 }
 
-void PiezoElements::step(const std::vector<double>& forces, double seconds) {
-  const double kept = time_constant_ / (time_constant_ + seconds);
-  for (std::size_t i = 0; i < signals_.size(); ++i) {
-    signals_[i] = kept * (signals_[i] + forces[i] - forces_[i]);
-    forces_[i] = forces[i];
-  }
-}
-
 }  // namespace somato::detail

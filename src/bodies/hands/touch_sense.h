@@ -20,22 +20,4 @@ Taxels find_taxels(const mjModel& model);
 void read_forces(const mjModel& model, const mjData& data, const Taxels& taxels,
                  std::vector<double>& forces);
 
-/// Piezo elements with a charge amplifier: recent changes of a force, decaying with a time
-/// constant; a first-order high-pass filter.
-class PiezoElements {
- public:
-  PiezoElements(std::size_t count, double time_constant)
-      : time_constant_(time_constant), forces_(count, 0.0), signals_(count, 0.0) {}
-
-  /// Advances by `seconds`, with these forces at the end.
-  void step(const std::vector<double>& forces, double seconds);
-
-  const std::vector<double>& signals() const { return signals_; }
-
- private:
-  double time_constant_;
-  std::vector<double> forces_;
-  std::vector<double> signals_;
-};
-
 }  // namespace somato::detail

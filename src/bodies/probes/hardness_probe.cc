@@ -5,6 +5,7 @@
 
 #include "base/core/elementary.h"
 #include "bodies/probes/probe_body.h"
+#include "bodies/sensors/potentiometer.h"
 #include "somato/core/random.h"
 
 namespace somato {
@@ -41,53 +42,37 @@ class Stick {
   double position_ = 0.0;
 };
 
-double most_counts(const HardnessProbeParameters& parameters) {
-  return static_cast<double>((std::size_t{1} << parameters.potentiometer_bits) - 1);
-}
-
-// From mm to counts.
-class Potentiometer {
- public:
-  explicit Potentiometer(const HardnessProbeParameters& parameters)
-      : most_(most_counts(parameters)), counts_per_mm_(most_ / parameters.stroke) {}
-
-  float operator()(double position) const {
-    return static_cast<float>(std::clamp(std::round(position * counts_per_mm_), 0.0, most_));
-  }
-
- private:
-  double most_;
-  double counts_per_mm_;
-};
-
 class HardnessProbe : public detail::ProbeBody {
  public:
   HardnessProbe(const Material& material, const HardnessProbeParameters& parameters,
-                std::uint64_t exploration_seed)
+                std::uint64_t exploration_seed, detail::StickTruth* truth)
       : ProbeBody("hardness_probe", {"stick", "mm", 0.0, parameters.stroke, parameters.stick_speed},
                   {"potentiometer", "counts", {}, {}, 0.0, true}, kTickRate),
         random_(exploration_seed, Stream::kHardnessProbe),
         stick_(material, parameters,
-               parameters.force * (1.0 + parameters.force_noise * random_.normal())),
-        potentiometer_(parameters),
-        noise_(parameters.potentiometer_noise) {}
+               parameters.force * (1.0 + parameters.force_noise * detail::draw_press(random_))),
+        potentiometer_(parameters, exploration_seed),
+        truth_(truth) {}
 
  protected:
   void tick() override {
     stick_.follow(drive());
-    deviation_ = noise_ * random_.normal();
+    deviation_ = random_.normal();
+    ++ticks_;
   }
 
   Matrix<float> read() override {
-    return Matrix<float>(1, 1, potentiometer_(stick_.position() + deviation_));
+    if (truth_ != nullptr) *truth_ = {stick_.position(), ticks_};
+    return Matrix<float>(1, 1, potentiometer_.read(stick_.position(), deviation_));
   }
 
  private:
   Random random_;  // force first, then noise as it comes
   Stick stick_;
-  Potentiometer potentiometer_;
-  double noise_;
-  double deviation_ = 0.0;  // of the potentiometer, mm
+  detail::Potentiometer potentiometer_;
+  detail::StickTruth* truth_;
+  double deviation_ = 0.0;  // of the potentiometer, as a multiple of its noise
+  std::uint64_t ticks_ = 0;
 };
 
 void declare_stick(Declarations<HardnessProbeParameters>& d) {
@@ -111,6 +96,16 @@ void declare_potentiometer(Declarations<HardnessProbeParameters>& d) {
         "Bits of a reading over the stroke; 18 in P11.");
   d.add("potentiometer_noise", &P::potentiometer_noise, "mm", Range::between(0, 1000),
         "Standard deviation of a reading. Not given in the paper.");
+  d.add("potentiometer_path", &P::potentiometer_path, "mm", Range::between(0.1, 1e4),
+        "Path of the stick that the bits of the potentiometer cover; automatic: the stroke. Not "
+        "given in the paper.");
+  d.add("potentiometer_offset", &P::potentiometer_offset, "", Range::between(0, 1),
+        "Reading of the stick at 0, as a share of the range of the potentiometer. Not given in the "
+        "paper.");
+  d.add("press_spread", &P::press_spread, "mm", Range::between(0, 100),
+        "Standard deviation, between explorations, of the difference of the potentiometer from the "
+        "stick, constant during a press, as with play and dead band of a servo; 0: none. Not given "
+        "in the paper.");
 }
 
 }  // namespace
@@ -133,18 +128,13 @@ Result<void> HardnessProbeParameters::validate() const {
               {}, "lower 'clearance', or raise 'stroke'");
 }
 
-std::optional<double> stick_position(double counts, const HardnessProbeParameters& parameters) {
-  const double share = counts / most_counts(parameters);
-  if (share >= 0.0 && share <= 1.0) return share * parameters.stroke;
-  return {};
-}
-
 Result<std::unique_ptr<Body>> make_hardness_probe(const Material& material,
                                                   const HardnessProbeParameters& parameters,
-                                                  std::uint64_t exploration_seed) {
+                                                  std::uint64_t exploration_seed,
+                                                  detail::StickTruth* truth) {
   SOMATO_TRY_VOID(material.validate());
   SOMATO_TRY_VOID(parameters.validate());
-  return std::make_unique<HardnessProbe>(material, parameters, exploration_seed);
+  return std::make_unique<HardnessProbe>(material, parameters, exploration_seed, truth);
 }
 
 }  // namespace somato

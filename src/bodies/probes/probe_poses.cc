@@ -7,8 +7,8 @@
 
 #include "bodies/hands/played_frames.h"
 #include "bodies/objects/exploration_source.h"
-#include "bodies/probes/hardness_probe.h"
 #include "bodies/probes/probe_scene.h"
+#include "bodies/sensors/potentiometer.h"
 #include "somato/bodies/explore_by.h"
 #include "somato/simulation/simulation_parameters.h"
 
@@ -52,7 +52,7 @@ double lever_at(const Channel& sound, std::size_t frame) {
 
 double stick_at(const Channel& potentiometer, std::size_t frame) {
   const float read = detail::played_value(potentiometer, frame, 0);
-  return stick_position(double{read}, {}).value_or(0.0);
+  return detail::stick_position(double{read}, {}).value_or(0.0);
 }
 
 class ProbePlayer : public ScenePlayer {

@@ -9,6 +9,7 @@
 #include "bodies/physics/biquad.h"
 #include "bodies/physics/surface.h"
 #include "bodies/probes/probe_body.h"
+#include "bodies/sensors/microphone.h"
 #include "somato/core/random.h"
 
 namespace somato {
@@ -40,13 +41,13 @@ detail::Biquad make_edge(const Material& material, const TextureProbeParameters&
 class Edge {
  public:
   Edge(const Material& material, const TextureProbeParameters& parameters, std::uint64_t world_seed,
-       Random& random)
+       const detail::StrokeDraws& draws)
       : surface_(material, parameters.edge_width, world_seed),
         resonance_(make_edge(material, parameters)),
         gain_(1e-3 * material.friction * grip(material, parameters) * tick_rate(parameters)),
         mm_per_degree_(parameters.lever_radius * std::numbers::pi / 180.0),
-        start_(parameters.placement_noise * random.normal()),
-        across_(parameters.placement_noise * random.normal()),
+        start_(parameters.placement_noise * draws.start),
+        across_(parameters.placement_noise * draws.across),
         height_(height_at(0.0)) {}
 
   // The velocity of the edge, mm/s, one tick after the last call.
@@ -73,93 +74,71 @@ class Edge {
 // The sound of the servo in motion.
 class Whine {
  public:
-  Whine(const TextureProbeParameters& parameters, Random& random)
-      : amplitude_(parameters.servo_noise * std::sqrt(2.0 / kHarmonicSquares)),
-        turns_per_tick_(parameters.servo_tone *
-                        (1.0 + parameters.servo_tone_spread * random.normal()) /
+  Whine(const TextureProbeParameters& parameters, const detail::StrokeDraws& draws)
+      : turns_per_tick_(parameters.servo_tone * (1.0 + parameters.servo_tone_spread * draws.tone) /
                         tick_rate(parameters)),
-        turns_(random.uniform()) {}
+        turns_(draws.turns) {}
 
-  // mV, of the next tick.
+  // The sound of the next tick, as a multiple of its root mean square.
   double next() {
     turns_ += turns_per_tick_;
     turns_ -= std::floor(turns_);
     double sum = 0.0;
     for (int n = 1; n <= kHarmonics; ++n) sum += cosine_of_turns(n * turns_) / n;
-    return amplitude_ * sum;
+    return std::sqrt(2.0 / kHarmonicSquares) * sum;
   }
 
  private:
-  double amplitude_;
   double turns_per_tick_;
   double turns_;
 };
 
-// From mV to counts.
-class SoundConverter {
+// The part of a signal that the microphone and its filter pass.
+class Band {
  public:
-  explicit SoundConverter(const TextureProbeParameters& parameters)
-      : most_(static_cast<double>(std::size_t{1} << (parameters.adc_bits - 1))),
-        step_(parameters.adc_range / most_) {}
-
-  float operator()(double millivolts) const {
-    return static_cast<float>(std::clamp(std::round(millivolts / step_), -most_, most_ - 1.0));
-  }
-
- private:
-  double most_;
-  double step_;
-};
-
-// Converts the motion of the edge to counts, one frame per given number of ticks.
-class Microphone {
- public:
-  Microphone(const TextureProbeParameters& parameters, Random& random)
-      : sensitivity_(parameters.sensitivity),
-        noise_(parameters.microphone_noise),
-        ticks_per_frame_(parameters.oversampling),
-        low_end_(detail::Biquad::high_pass(parameters.microphone_low, kMicrophoneQuality,
+  explicit Band(const TextureProbeParameters& parameters)
+      : low_end_(detail::Biquad::high_pass(parameters.microphone_low, kMicrophoneQuality,
                                            tick_rate(parameters))),
         anti_aliasing_(detail::butterworth_low_pass(kAntiAliasingCutoff * parameters.sample_rate,
-                                                    kAntiAliasingSections, tick_rate(parameters))),
-        convert_(parameters),
-        random_(random) {}
+                                                    kAntiAliasingSections, tick_rate(parameters))) {
+  }
 
-  void record(double edge, double whine, std::vector<float>& frames) {
-    double signal = low_end_(sensitivity_ * edge + whine);
+  double operator()(double signal) {
+    signal = low_end_(signal);
     for (detail::Biquad& section : anti_aliasing_) signal = section(signal);
-    if (++ticks_ < ticks_per_frame_) return;
-    ticks_ = 0;
-    frames.push_back(convert_(signal + noise_ * random_.normal()));
+    return signal;
   }
 
  private:
-  double sensitivity_;
-  double noise_;
-  std::size_t ticks_per_frame_;
-  std::size_t ticks_ = 0;
   detail::Biquad low_end_;
   std::vector<detail::Biquad> anti_aliasing_;
-  SoundConverter convert_;
-  Random& random_;
 };
 
 class TextureProbe : public detail::ProbeBody {
  public:
   TextureProbe(const Material& material, const TextureProbeParameters& parameters,
-               const ProbeSeeds& seeds)
+               const ProbeSeeds& seeds, detail::SoundTruth* truth)
       : ProbeBody("texture_probe", {"lever", "deg", 0.0, parameters.stroke, parameters.lever_speed},
                   {"sound", "counts", {}, {}, parameters.sample_rate, true}, tick_rate(parameters)),
         random_(seeds.exploration, Stream::kTextureProbe),
-        edge_(material, parameters, seeds.world, random_),
-        whine_(parameters, random_),
-        microphone_(parameters, random_) {}
+        draws_(detail::draw_stroke(random_)),
+        edge_(material, parameters, seeds.world, draws_),
+        whine_(parameters, draws_),
+        ticks_per_frame_(parameters.oversampling),
+        edge_band_(parameters),
+        servo_band_(parameters),
+        microphone_(parameters, parameters.sample_rate, seeds.exploration),
+        truth_(truth) {}
 
  protected:
   void tick() override {
     const bool moves = is_driven();
     const double edge = edge_.move_to(drive());
-    microphone_.record(edge, moves ? whine_.next() : 0.0, frames_);
+    const detail::TrueSound sound{edge_band_(edge), servo_band_(moves ? whine_.next() : 0.0)};
+    if (++ticks_ < ticks_per_frame_) return;
+    ticks_ = 0;
+    frames_.push_back(microphone_.read(sound, random_));
+    if (truth_ != nullptr) truth_->hear(sound);
   }
 
   Matrix<float> read() override {
@@ -168,10 +147,16 @@ class TextureProbe : public detail::ProbeBody {
   }
 
  private:
-  Random random_;  // placement first, then the servo, then noise as it comes
+  Random random_;  // placement and tone of the servo first, then noise as it comes
+  detail::StrokeDraws draws_;
   Edge edge_;
   Whine whine_;
-  Microphone microphone_;
+  std::size_t ticks_per_frame_;
+  std::size_t ticks_ = 0;
+  Band edge_band_;
+  Band servo_band_;
+  detail::Microphone microphone_;
+  detail::SoundTruth* truth_;
   std::vector<float> frames_;  // recorded during the current step
 };
 
@@ -179,10 +164,11 @@ class TextureProbe : public detail::ProbeBody {
 
 Result<std::unique_ptr<Body>> make_texture_probe(const Material& material,
                                                  const TextureProbeParameters& parameters,
-                                                 const ProbeSeeds& seeds) {
+                                                 const ProbeSeeds& seeds,
+                                                 detail::SoundTruth* truth) {
   SOMATO_TRY_VOID(material.validate());
   SOMATO_TRY_VOID(parameters.validate());
-  return std::make_unique<TextureProbe>(material, parameters, seeds);
+  return std::make_unique<TextureProbe>(material, parameters, seeds, truth);
 }
 
 }  // namespace somato

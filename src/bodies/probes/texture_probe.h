@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "bodies/sensors/probe_truth.h"
 #include "somato/bodies/body.h"
 #include "somato/bodies/material.h"
 #include "somato/simulation/simulation_parameters.h"
@@ -20,11 +21,13 @@ struct ProbeSeeds {
 ///
 /// It has the degree of freedom `lever` (deg), initially at 0, and the sensor `sound` (counts, one
 /// element, at the sample rate). The division of time into steps does not affect the frames. The
-/// same material, parameters and seeds give the same bits on all machines.
+/// same material, parameters and seeds give the same bits on all machines. `truth` hears the true
+/// values of every frame unless it is nullptr, and must outlive the probe.
 ///
 /// Errors (kUsage): Material::validate() and TextureProbeParameters::validate().
 Result<std::unique_ptr<Body>> make_texture_probe(const Material& material,
                                                  const TextureProbeParameters& parameters,
-                                                 const ProbeSeeds& seeds);
+                                                 const ProbeSeeds& seeds,
+                                                 detail::SoundTruth* truth = nullptr);
 
 }  // namespace somato

@@ -44,6 +44,12 @@ void declare_microphone(Declarations<TextureProbeParameters>& d) {
         "Lower cut-off frequency of the microphone. Not given in the paper.");
   d.add("microphone_noise", &P::microphone_noise, "mV", Range::between(0, 1e6),
         "Standard deviation of its white noise. Not given in the paper.");
+  d.add("ambient_sound", &P::ambient_sound, "mV", Range::between(0, 1e6),
+        "Root mean square of the sound of the room, as the microphone reports it; 0: none. Not "
+        "given in the paper.");
+  d.add("ambient_cutoff", &P::ambient_cutoff, "Hz", Range::between(1e-3, 1e6),
+        "Frequency above which the sound of the room falls by 6 dB an octave; no effect without "
+        "ambient_sound. Not given in the paper.");
   d.add("servo_tone", &P::servo_tone, "Hz", Range::between(1e-3, 1e6),
         "Mean fundamental frequency of the servo's whine in motion. Not given in the paper.");
   d.add("servo_tone_spread", &P::servo_tone_spread, "", Range::between(0, 0.05),

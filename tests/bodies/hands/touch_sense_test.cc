@@ -104,25 +104,5 @@ TEST(TouchSense, TaxelsComeInTheModelsOrderUnderTheirNames) {
   EXPECT_EQ(taxels.taxel_of_geom[8], 7);
 }
 
-TEST(TouchSense, APiezoElementForgetsAStepOfForceInItsTime) {
-  PiezoElements piezo(2, 0.1);
-  const std::vector<double> forces{3.0, 0.0};
-  double time = 0.0;
-  for (int step = 0; step < 500; ++step) {
-    piezo.step(forces, 0.001);
-    time += 0.001;
-    EXPECT_NEAR(piezo.signals()[0], 3.0 * std::exp(-time / 0.1), 0.03);
-    EXPECT_EQ(piezo.signals()[1], 0.0);
-  }
-  piezo.step({0.0, 0.0}, 0.001);
-  EXPECT_NEAR(piezo.signals()[0], 0.1 / 0.101 * (3.0 * std::exp(-5.0) - 3.0), 0.001);
-}
-
-TEST(TouchSense, APiezoElementFollowsARampByItsSlopeTimesItsTime) {
-  PiezoElements piezo(1, 0.05);
-  for (int step = 1; step <= 1000; ++step) piezo.step({0.002 * step}, 0.001);  // 2 N/s
-  EXPECT_NEAR(piezo.signals()[0], 2.0 * 0.05, 1e-6);
-}
-
 }  // namespace
 }  // namespace somato::detail

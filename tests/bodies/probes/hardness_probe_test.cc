@@ -188,17 +188,5 @@ TEST(HardnessProbe, EveryParameterSaysWhatThePaperGives) {
   }
 }
 
-TEST(StickPosition, IsKnownByTheCountsOfItsPotentiometer) {
-  HardnessProbeParameters parameters;
-  parameters.stroke = 8.0;
-  parameters.potentiometer_bits = 10;
-  EXPECT_EQ(stick_position(0.0, parameters), 0.0);
-  EXPECT_EQ(stick_position(1023.0, parameters), 8.0);
-  EXPECT_DOUBLE_EQ(stick_position(341.0, parameters).value(), 8.0 / 3.0);
-  for (const double counts : {-1.0, 1024.0, double{INFINITY}, double{NAN}}) {
-    EXPECT_FALSE(stick_position(counts, parameters));
-  }
-}
-
 }  // namespace
 }  // namespace somato

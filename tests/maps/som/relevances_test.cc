@@ -19,7 +19,7 @@
 namespace somato {
 namespace {
 
-constexpr float kNotKnown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kLeftOutValue = std::numeric_limits<float>::quiet_NaN();
 
 struct WeightedProblem {
   Som som;
@@ -139,7 +139,7 @@ TEST(Relevances, MissingElementsAreFilledInTheUnitOfTheInput) {
   Random random(6);
   for (int i = 0; i < 50; ++i) {
     WeightedProblem problem = weighted_problem(random);
-    problem.rows(0, 0) = kNotKnown;
+    problem.rows(0, 0) = kLeftOutValue;
     Som som = problem.som;
     som.set_relevances(problem.relevances);
     const Samples filled = filled_from_winners(som, Samples(problem.rows));
@@ -184,7 +184,7 @@ TEST(Relevances, DamagedOnesAreRefused) {
   p.columns = 2;
   const Som som(resolve(p, 2, 2).value(), Matrix<float>(2, 2, {0, 1, 2, 3}));
   for (const std::vector<double>& wrong :
-       {std::vector<double>{1.0}, {1.0, 0.0}, {1.0, -1.0}, {1.0, double{kNotKnown}}, {1.0, 1e13}}) {
+       {std::vector<double>{1.0}, {1.0, 0.0}, {1.0, -1.0}, {1.0, double{kLeftOutValue}}, {1.0, 1e13}}) {
     Archive archive("test");
     add_som(archive, "map.", som);
     archive.add("map.relevances", Array<double>{{wrong.size()}, wrong});

@@ -34,6 +34,8 @@ class Outputs : public ProgramTest {
     write("things.toml",
           "[object]\nball = { shape = 'sphere', diameter = 72, material = 'wood' }\n");
     write("settings.toml", "[simulation]\nsensor_noise = 0.0\n");
+    output_of({"explore", "--body", "hardness", "--explorations", "1", "--true-values", "true",
+               "-o", "true.mcap"});
   }
 
   std::string trial() const {
@@ -69,6 +71,7 @@ TEST_F(Outputs, AreNeverWhatIsRead) {
        {"-o", "--contributions"}},
       {{"explore", "--body", "lucs2", "--objects", "things.toml", "--settings", "settings.toml"},
        {"things.toml", "settings.toml"}},
+      {{"sense", "true.mcap", "--settings", "settings.toml"}, {"true.mcap", "settings.toml"}},
       {{"report", "out/results.json", "--data", "grasps.mcap", "--model", "other.somato"},
        {"out/results.json", "grasps.mcap", "other.somato", "out/system.somato", "out/beside.mcap"}},
       {{"figure", "out/results.json", "map", "--data", "grasps.mcap", "--model", "other.somato"},
