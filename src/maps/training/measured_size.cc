@@ -15,7 +15,8 @@
 namespace somato {
 namespace {
 
-constexpr std::size_t kHeldOut = 5;               // the first of so many samples
+constexpr std::size_t kHeldOut = 5;         // one of so many samples is held out in turn
+constexpr std::size_t kLeastHeldOut = 500;  // of few samples, more are held out one after another
 constexpr std::size_t kMostSamplesOfNeuron = 16;  // of the smallest map
 constexpr std::size_t kLeastMeasured = 50;        // samples: fewer than ten decide nothing
 constexpr std::size_t kMostMeasured = 2500;       // samples
@@ -33,12 +34,24 @@ struct Division {
   std::vector<std::size_t> held_out;
 };
 
-Division divided(std::size_t count) {
+Division divided(std::size_t count, std::size_t fold) {
   Division division;
   for (std::size_t i = 0; i < count; ++i) {
-    (i % kHeldOut == 0 ? division.held_out : division.learned).push_back(i);
+    (i % kHeldOut == fold ? division.held_out : division.learned).push_back(i);
   }
   return division;
+}
+
+// As many divisions as hold kLeastHeldOut samples out, at most all: the standard error of a few
+// samples would hide what more neurons gain.
+std::vector<Division> divisions(std::size_t count) {
+  std::vector<Division> all;
+  std::size_t held_out = 0;
+  for (std::size_t fold = 0; fold < kHeldOut && held_out < kLeastHeldOut; ++fold) {
+    all.push_back(divided(count, fold));
+    held_out += all.back().held_out.size();
+  }
+  return all;
 }
 
 double distance_of(const Som& som, const Samples& samples, std::size_t sample,
@@ -104,13 +117,20 @@ SomParameters of_check(const SomParameters& parameters, double neurons) {
 }
 
 Result<TriedSize> tried_size(const SomParameters& parameters, const Samples& samples,
-                             const Division& division, double share, const SizeOptions& options) {
-  if (options.proceed) SOMATO_TRY_VOID(options.proceed());
-  const double neurons = share * static_cast<double>(division.learned.size());
-  SOMATO_TRY(const Som som, train_som(of_check(parameters, std::max(1.0, neurons)), samples,
-                                      {.threads = options.threads, .training = division.learned}));
-  return TriedSize{share, som.neurons(),
-                   distances_of(som, samples, division.held_out, options.threads)};
+                             const std::vector<Division>& divisions, double share,
+                             const SizeOptions& options) {
+  TriedSize tried{share, 0, {}};
+  for (const Division& division : divisions) {
+    if (options.proceed) SOMATO_TRY_VOID(options.proceed());
+    const double neurons = share * static_cast<double>(division.learned.size());
+    SOMATO_TRY(const Som som,
+               train_som(of_check(parameters, std::max(1.0, neurons)), samples,
+                         {.threads = options.threads, .training = division.learned}));
+    tried.neurons = std::max(tried.neurons, som.neurons());
+    const auto distances = distances_of(som, samples, division.held_out, options.threads);
+    tried.distances.insert(tried.distances.end(), distances.begin(), distances.end());
+  }
+  return tried;
 }
 
 // Those that are measured.
@@ -164,14 +184,14 @@ std::string reason_without_effect(SizeChoice size, std::string_view name) {
 Result<MeasuredSize> measured_size(const SomParameters& parameters, const Samples& samples,
                                    const SizeOptions& options) {
   if (samples.count() < kLeastMeasured) return MeasuredSize{};
-  const Division division = divided(samples.count());
-  SOMATO_TRY(const TriedSize single, tried_size(parameters, samples, division, 0.0, options));
+  const std::vector<Division> all = divisions(samples.count());
+  SOMATO_TRY(const TriedSize single, tried_size(parameters, samples, all, 0.0, options));
   MeasuredSize measured;
   std::vector<TriedSize> tried;
   for (std::size_t samples_of_neuron = kMostSamplesOfNeuron; samples_of_neuron > 0;
        samples_of_neuron /= 2) {
     const double share = 1.0 / static_cast<double>(samples_of_neuron);
-    SOMATO_TRY(TriedSize one, tried_size(parameters, samples, division, share, options));
+    SOMATO_TRY(TriedSize one, tried_size(parameters, samples, all, share, options));
     measured.checks.push_back({one.neurons, one.error()});
     tried.push_back(std::move(one));
   }
