@@ -62,11 +62,12 @@ struct SizeOptions {
 
 /// The number of neurons by measured convergence: maps of a sixteenth, an eighth, a quarter, a half
 /// and as many neurons as samples learn four of five samples in batches, and the distance of each
-/// fifth one is measured. The least number is taken than which the best one is not better by more
-/// than one standard error of the differences (the rule of Breiman and others, Classification and
-/// Regression Trees, 1984), or by at most 1e-4 of the distance from a single neuron.
-/// `parameters` give the similarity, the grid and the layers of the maps. Without labels, and the
-/// same for any number of threads.
+/// fifth one is measured; of fewer than 2500 samples, others are held out in turn, until 500
+/// distances or those of all samples are measured. The least number is taken than which the best
+/// one is not better by more than one standard error of the differences (the rule of Breiman and
+/// others, Classification and Regression Trees, 1984), or by at most 1e-4 of the distance from a
+/// single neuron. `parameters` give the similarity, the grid and the layers of the maps. Without
+/// labels, and the same for any number of threads.
 ///
 /// Fewer than 50 samples are not measured, because fewer than ten would decide. Errors: those of
 /// training and of `proceed`.
@@ -76,6 +77,9 @@ Result<MeasuredSize> measured_size(const SomParameters& parameters, const Sample
 /// The greatest number of neurons for so many samples: as many, and above 2500 samples 50 times the
 /// root of their number, because the time of training grows with the product of both.
 double most_neurons(std::size_t samples);
+
+/// Rows and columns of an approximately square map of at most so many neurons, and at least one.
+std::pair<std::size_t, std::size_t> sides_of(double neurons);
 
 /// The parameters with the training of maps of measured size: `rows` x `columns` neurons that begin
 /// on the plane of the principal components, batches over 100 epochs and further ones while the

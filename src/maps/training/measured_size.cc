@@ -98,15 +98,20 @@ double smallest_sufficient(const std::vector<TriedSize>& tried, double least_gai
       ->share;
 }
 
+std::size_t columns_of(double neurons, std::size_t rows) {
+  return std::max<std::size_t>(1, static_cast<std::size_t>(neurons / static_cast<double>(rows)));
+}
+
 // An approximately square grid of at most so many neurons, unless the grid needs two rows.
 SomParameters sized(const SomParameters& parameters, double neurons) {
+  auto [rows, columns] = sides_of(neurons);
   const bool must_be_even =
       parameters.lattice == Lattice::kHexagonal && parameters.topology == Topology::kTorus;
-  auto rows = static_cast<std::size_t>(std::sqrt(neurons));
-  if (must_be_even) rows -= rows % 2;
-  rows = std::max<std::size_t>(rows, must_be_even ? 2 : 1);
-  const double columns = neurons / static_cast<double>(rows);
-  return with_size(parameters, rows, std::max<std::size_t>(1, static_cast<std::size_t>(columns)));
+  if (must_be_even && rows % 2 == 1) {
+    rows = std::max<std::size_t>(2, rows - 1);
+    columns = columns_of(neurons, rows);
+  }
+  return with_size(parameters, rows, columns);
 }
 
 SomParameters of_check(const SomParameters& parameters, double neurons) {
@@ -202,6 +207,11 @@ Result<MeasuredSize> measured_size(const SomParameters& parameters, const Sample
 double most_neurons(std::size_t samples) {
   const auto count = static_cast<double>(samples);
   return std::min(count, kLargest * std::sqrt(count));
+}
+
+std::pair<std::size_t, std::size_t> sides_of(double neurons) {
+  const auto rows = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(neurons)));
+  return {rows, columns_of(neurons, rows)};
 }
 
 SomParameters with_size(SomParameters parameters, std::size_t rows, std::size_t columns) {

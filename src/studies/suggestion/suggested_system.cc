@@ -100,10 +100,10 @@ class SystemOfParts {
   }
 
   void add_map(const std::string& input) {
-    const std::size_t side =
-        side_of_map(suggestion_.explorations, suggestion_.parameters.least_side.value_or(15),
-                    suggestion_.size.share);
-    const SomParameters parameters = with_size({}, side, side);
+    const auto [rows, columns] =
+        sides_of_map(suggestion_.explorations, suggestion_.parameters.least_side.value_or(15),
+                     suggestion_.size.share);
+    const SomParameters parameters = with_size({}, rows, columns);
     std::vector<SystemBuilder::Setting> settings{{"input", {input}}};
     for (const char* name : kOfSize) {
       settings.push_back({name, SomParameters::declarations().find(name)->read(parameters)});
@@ -121,15 +121,11 @@ class SystemOfParts {
 
 }  // namespace
 
-std::size_t learned_in_fold(std::size_t explorations) {
-  return explorations > kMostLeftOut ? explorations - (explorations + kFolds - 1) / kFolds
-                                     : explorations - 1;
-}
-
-std::size_t side_of_map(std::size_t explorations, std::size_t least_side, double share) {
-  const std::size_t samples = learned_in_fold(explorations);
-  const double neurons = std::min(share * static_cast<double>(samples), most_neurons(samples));
-  return std::max(static_cast<std::size_t>(std::sqrt(neurons)), least_side);
+std::pair<std::size_t, std::size_t> sides_of_map(std::size_t explorations, std::size_t least_side,
+                                                 double share) {
+  const double wanted = share * static_cast<double>(explorations);
+  const auto [rows, columns] = sides_of(std::min(wanted, most_neurons(explorations)));
+  return {std::max(rows, least_side), std::max(columns, least_side)};
 }
 
 SystemDescription system_of(const Suggestion& suggestion, std::span<const CandidateGroup> groups) {

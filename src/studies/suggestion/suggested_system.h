@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <utility>
 
 #include "studies/codes/candidates.h"
 #include "studies/suggestion/suggestion.h"
@@ -12,13 +14,11 @@ namespace somato {
 inline constexpr std::size_t kMostLeftOut = 30;
 inline constexpr std::size_t kFolds = 5;
 
-/// The number of explorations that a map learns in each fold of that study.
-std::size_t learned_in_fold(std::size_t explorations);
-
-/// The rows and the columns of the map: at most `share` neurons for each exploration that it
-/// learns, but 50 times the root of their number if that is fewer, because the time grows with the
-/// product of both; and at least `least_side` rows.
-std::size_t side_of_map(std::size_t explorations, std::size_t least_side, double share);
+/// The rows and the columns of the map: at most `share` neurons for each exploration, but 50 times
+/// the root of their number if that is fewer, because the time grows with the product of both; and
+/// at least `least_side` rows and columns.
+std::pair<std::size_t, std::size_t> sides_of_map(std::size_t explorations, std::size_t least_side,
+                                                 double share);
 
 /// The system of the suggestion's parts: their modules, scaled and concatenated, and a map.
 /// `groups` are those of the suggestion.

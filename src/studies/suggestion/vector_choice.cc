@@ -96,7 +96,7 @@ class VectorChoice {
   // With fewer neurons than `least_side` requires nothing needs to be measured.
   Result<void> measure_size() {
     const std::size_t least = *state_.suggestion.parameters.least_side;
-    if (side_of_map(state_.suggestion.explorations, 1, 1.0) <= least) return {};
+    if (sides_of_map(state_.suggestion.explorations, 1, 1.0).second <= least) return {};
     SOMATO_TRY(const Samples vectors, vectors_of_parts());
     SomParameters parameters;
     parameters.similarity = state_.suggestion.similarity;

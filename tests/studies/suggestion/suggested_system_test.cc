@@ -74,22 +74,17 @@ TEST(SuggestedSystem, APartWithTheFactorOneIsNotScaled) {
   EXPECT_EQ(setting_of(system.modules.back(), "similarity"), Value{std::string("manhattan")});
 }
 
-TEST(SuggestedSystem, EveryFifthOrASingleExplorationIsNotLearned) {
-  EXPECT_EQ(learned_in_fold(2), 1U);
-  EXPECT_EQ(learned_in_fold(30), 29U);
-  EXPECT_EQ(learned_in_fold(31), 24U);  // the largest fold has seven
-  EXPECT_EQ(learned_in_fold(100), 80U);
-}
-
-TEST(SuggestedSystem, TheMapHasAtMostAsManyNeuronsAsItLearnsExplorations) {
+TEST(SuggestedSystem, TheMapHasAtMostAsManyNeuronsAsExplorations) {
   for (const std::size_t explorations : {2U, 7U, 30U, 31U, 100U, 511U, 2133U}) {
-    const std::size_t side = side_of_map(explorations, 1, 1.0);
-    EXPECT_LE(side * side, learned_in_fold(explorations));
-    EXPECT_GT((side + 1) * (side + 1), learned_in_fold(explorations));
+    const auto [rows, columns] = sides_of_map(explorations, 1, 1.0);
+    EXPECT_LE(rows * columns, explorations);
+    EXPECT_GT((rows + 1) * (columns + 1), explorations);
+    EXPECT_LE(columns, rows + 2);
   }
-  EXPECT_EQ(side_of_map(100, 1, 0.25), 4U);    // 20 neurons
-  EXPECT_EQ(side_of_map(100, 15, 1.0), 15U);   // the least
-  EXPECT_EQ(side_of_map(12500, 1, 1.0), 70U);  // 50 x 100 neurons
+  using Sides = std::pair<std::size_t, std::size_t>;
+  EXPECT_EQ(sides_of_map(100, 1, 0.25), Sides(5, 5));
+  EXPECT_EQ(sides_of_map(100, 15, 1.0), Sides(15, 15));   // the least
+  EXPECT_EQ(sides_of_map(10000, 1, 1.0), Sides(70, 71));  // 50 x 100 neurons
 }
 
 }  // namespace
