@@ -59,7 +59,7 @@ const Declarations<SuggestionParameters>& SuggestionParameters::declarations() {
           .add(
               "least_side", &P::least_side, "neurons", Range::between(1, 40),
               "Least number of rows and of columns of the map, which otherwise has at most as many "
-              "neurons as explorations to learn; automatic: 15 as in the papers, or 1 if "
+              "neurons as explorations; automatic: 15 as in the papers, or 1 if "
               "explorations have one frame, as the rows of a table.")
           .add("seed", &P::seed, "", Range::between(0, 1e15),
                "Seed of the draw of explorations, if there are more than are compared.");
