@@ -418,7 +418,7 @@ Command som_train_command() {
       std::move(flags),
       std::move(parameters),
       train,
-      {"map", "refinement"},
+      {"map", "size", "refinement"},
       key_sections_of_maps};
 }
 

@@ -79,7 +79,7 @@ Result<void> check_not_refined(const RefinementParameters& refinement) {
   return fail(ErrorKind::kUsage,
               "a map that learns in step with other modules, or from frames, cannot be refined by "
               "labels",
-              "refine",
+              "",
               "leave 'refine' out, or give the map one input per exploration and a phase "
               "of its training only");
 }

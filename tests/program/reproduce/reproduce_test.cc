@@ -282,12 +282,13 @@ TEST_F(Reproduce, ExploresThingsThatTheSystemDeclares) {
   write("press.toml", press() + things);
   output_of(reproduce("press.toml", "out"));
   const auto part = results("out")["parts"][0];
-  EXPECT_EQ(part["protocols"][0]["runs"][0]["labels"], nlohmann::json::array({"cork", "slate"}))
+  EXPECT_EQ(part["protocols"][0]["runs"][0]["labels"],
+            nlohmann::json::array({"cork", "cork", "slate", "slate"}))
       << part["protocols"][0];
   // Another stiffness is another recording, with another name.
   write("press.toml", press() + things + "[explore.material.felt_2]\nstiffness = 1.0\n");
   output_of(reproduce("press.toml", "out"));
-  EXPECT_EQ(results("out")["parts"][0]["protocols"][0]["runs"][0]["labels"].size(), 3U);
+  EXPECT_EQ(results("out")["parts"][0]["protocols"][0]["runs"][0]["labels"].size(), 6U);
   write("wrong.toml",
         press() + things + "[explore.object.a]\nshape = 'spere'\nmaterial = 'cork'\n");
   const auto refused = run(reproduce("wrong.toml", "wrong"));

@@ -21,18 +21,14 @@ TEST(Calibration, RanksAreUniformWhereTheModelIsRight) {
   }
 }
 
-// The statistic is exact for one half of the places and says only "the other half" otherwise:
-// residuals of a regression of all simulations are too large for the former and too small for the
-// latter.
+// The places are a concave function of the statistic, so that an observation in the middle of the
+// accepted ones lies above their line.
 TEST(Calibration, FindsAnAdjustmentThatIsWrong) {
   Simulations all = test::of_normal_mean(300, 1, 22);
-  Random random(1);
-  for (std::size_t i = 0; i < all.draw.size(); ++i) {
-    const double place = all.places(i, 0);
-    all.statistics(i, 0) = place < 0.5 ? place : 0.5 + 0.5 * random.uniform();
-  }
-  EXPECT_LT(calibrate(all, {1.0}, {1.0, true}, 300, 5).uniform_p[0], 0.001);
-  EXPECT_GT(calibrate(all, {1.0}, {0.05, false}, 300, 5).uniform_p[0], 0.001);
+  for (std::size_t i = 0; i < all.draw.size(); ++i)
+    all.statistics(i, 0) = std::exp(6.0 * all.places(i, 0));
+  EXPECT_LT(calibrate(all, {1.0}, {0.5, true}, 300, 5).uniform_p[0], 0.001);
+  EXPECT_GT(calibrate(all, {1.0}, {0.03, false}, 300, 5).uniform_p[0], 0.001);
 }
 
 TEST(Calibration, UsesOneSimulationOfADrawAndNotTheOthersOfIt) {
