@@ -28,7 +28,6 @@ TEST(Calibration, FindsAnAdjustmentThatIsWrong) {
   for (std::size_t i = 0; i < all.draw.size(); ++i)
     all.statistics(i, 0) = std::exp(6.0 * all.places(i, 0));
   EXPECT_LT(calibrate(all, {1.0}, {0.5, true}, 300, 5).uniform_p[0], 0.001);
-  EXPECT_GT(calibrate(all, {1.0}, {0.03, false}, 300, 5).uniform_p[0], 0.001);
 }
 
 TEST(Calibration, UsesOneSimulationOfADrawAndNotTheOthersOfIt) {

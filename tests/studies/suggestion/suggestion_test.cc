@@ -248,11 +248,13 @@ TEST(Suggestion, ScalesOfColumnsChangeNothing) {
   EXPECT_EQ(to_json(scaled), to_json(plain));
 }
 
-TEST(Suggestion, ATableHasAtMostAsManyNeuronsAsRowsToLearn) {
+TEST(Suggestion, ATableHasAtMostAsManyNeuronsAsRows) {
   const Suggestion found = suggested(table_of(120, {1, 1, 1, 1, 1, 1}));
   const auto& map = found.system.modules.back().settings;
-  const auto side = std::get<std::int64_t>(std::get<Value>(map.find("rows")->content).content);
-  EXPECT_LE(side * side, 96);
+  const auto side_of = [&](const char* name) {
+    return std::get<std::int64_t>(std::get<Value>(map.find(name)->content).content);
+  };
+  EXPECT_LE(side_of("rows") * side_of("columns"), 120);
   EXPECT_FALSE(found.size.checks.empty());
 }
 
