@@ -47,7 +47,7 @@ TEST(SuggestedSystem, SeveralPartsAreScaledAndConcatenated) {
   const std::vector<CandidateGroup> groups{group_of("touch", recording, 0),
                                            group_of("joints", recording, 1)};
   Suggestion suggestion;
-  suggestion.explorations = 1000;  // 800 are learned, more than 28 x 28
+  suggestion.explorations = 1000;  // 31 x 32 and eight more
   suggestion.parts = {{1, 0, 1.0, 0.123456, 0.1}, {0, 0, 2.0, 0.5, 0.1}};
   const auto system = system_of(suggestion, groups);
   EXPECT_EQ(names_of(system),
@@ -55,9 +55,10 @@ TEST(SuggestedSystem, SeveralPartsAreScaledAndConcatenated) {
                    "touch", "last_of_touch", "unit_last_of_touch", "part_of_unit_last_of_touch",
                    "vector", "map"}));
   EXPECT_EQ(setting_of(system.modules[3], "factor"), Value{0.1234});
-  EXPECT_EQ(setting_of(system.modules.back(), "columns"), Value{std::int64_t{28}});
+  EXPECT_EQ(setting_of(system.modules.back(), "rows"), Value{std::int64_t{31}});
+  EXPECT_EQ(setting_of(system.modules.back(), "columns"), Value{std::int64_t{32}});
   EXPECT_EQ(setting_of(system.modules.back(), "training"), Value{std::string("batch")});
-  EXPECT_EQ(setting_of(system.modules.back(), "radius_start"), Value{3.5});  // 28 / 8
+  EXPECT_EQ(setting_of(system.modules.back(), "radius_start"), Value{4.0});  // 32 / 8
 }
 
 TEST(SuggestedSystem, APartWithTheFactorOneIsNotScaled) {
