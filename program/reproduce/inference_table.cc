@@ -83,6 +83,11 @@ std::string inference_table(const InferenceResults& results) {
       "{}: {} with {} each; the {} nearest to {} accepted\n\n", names_of(sweep),
       counted(results.draws.points.size(), "draw"), counted(sweep.sweep.sweep.pairs, "pair"),
       results.inference.posterior.size(), counted(results.targets.targets.size(), "target"));
+  if (results.targets.inference.adjusted && !results.inference.posterior.is_adjusted) {
+    text +=
+        "These are too few for the regression, so that their settings are not adjusted; more draws "
+        "or a larger share 'accepted' would permit it.\n\n";
+  }
   text +=
       "  width  unknown, with the median and the central 90 % of the posterior (width: relative to "
       "the prior)\n";

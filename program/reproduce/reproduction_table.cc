@@ -94,11 +94,11 @@ std::string claims_text(const std::vector<ClaimOutcome>& claims, bool of_papers,
 }
 
 // By the second measure, if there is one.
-const ClaimOutcome& as_written(const ClaimOutcome& outcome) {
-  return outcome.as_written.empty() ? outcome : outcome.as_written.front();
+ClaimVerdict verdict_as_written(const ClaimOutcome& outcome) {
+  return outcome.as_written.empty() ? outcome.verdict() : outcome.as_written.front().verdict();
 }
 
-using Measure = std::function<const ClaimOutcome&(const ClaimOutcome&)>;
+using Measure = std::function<ClaimVerdict(const ClaimOutcome&)>;
 
 // The number of claims of papers with each verdict.
 std::string verdicts_text(const std::string& title, std::size_t width,
@@ -107,7 +107,7 @@ std::string verdicts_text(const std::string& title, std::size_t width,
   for (const auto& [verdict, name] : Choices<ClaimVerdict>::all()) {
     const auto count =
         std::count_if(claims.begin(), claims.end(), [&](const ClaimOutcome& outcome) {
-          return outcome.claim.is_of_paper() && measure(outcome).verdict() == verdict;
+          return outcome.claim.is_of_paper() && measure(outcome) == verdict;
         });
     if (count > 0) text += fmt::format("  {:<{}} {:>4}\n", name, width, count);
   }
@@ -116,12 +116,13 @@ std::string verdicts_text(const std::string& title, std::size_t width,
 
 // For both measures; for the second one only if a claim has it.
 std::string verdicts_text(const std::vector<ClaimOutcome>& claims) {
-  const auto first = [](const ClaimOutcome& outcome) -> const ClaimOutcome& { return outcome; };
+  const auto first = [](const ClaimOutcome& outcome) { return outcome.verdict(); };
   std::string text = verdicts_text("Verdicts on the claims of papers", 25, claims, first);
   const bool has_second = std::any_of(claims.begin(), claims.end(), [](const auto& outcome) {
     return outcome.claim.is_of_paper() && !outcome.as_written.empty();
   });
-  if (has_second) text += verdicts_text("The same as written in the texts", 39, claims, as_written);
+  if (has_second)
+    text += verdicts_text("The same as written in the texts", 39, claims, verdict_as_written);
   return text;
 }
 

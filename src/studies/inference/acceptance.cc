@@ -100,15 +100,21 @@ void adjust(const Simulations& all, const Observation& observed, Posterior& acce
   const auto parts = static_cast<double>(all.draw.size());
   for (std::size_t u = 0; u < all.is_continuous.size(); ++u) {
     if (!all.is_continuous[u]) continue;
-    std::vector<double> odds;
-    for (std::size_t i = 0; i < accepted.size(); ++i)
-      odds.push_back(log_odds(accepted.places(i, u), parts));
+    std::vector<double> odds = places_of(accepted.places, u);
+    for (double& place : odds) place = log_odds(place, parts);
     regression.adjust(odds);
     for (std::size_t i = 0; i < accepted.size(); ++i) accepted.places(i, u) = place_of(odds[i]);
   }
 }
 
 }  // namespace
+
+std::vector<double> places_of(const Matrix<double>& places, std::size_t unknown) {
+  std::vector<double> values;
+  values.reserve(places.rows());
+  for (std::size_t i = 0; i < places.rows(); ++i) values.push_back(places(i, unknown));
+  return values;
+}
 
 double distance_of(std::span<const double> statistics, const Observation& observed) {
   double sum = 0.0;
@@ -137,7 +143,9 @@ std::optional<Posterior> accept_nearest(const Simulations& simulations, const Ob
     const auto places = simulations.places.row(accepted.simulations[i]);
     std::copy(places.begin(), places.end(), accepted.places.row(i).begin());
   }
-  if (rule.adjusted) adjust(simulations, observed, accepted);
+  const std::size_t coefficients = observed.values.size() + 1;
+  accepted.is_adjusted = rule.adjusted && accepted.size() >= kLeastOfCoefficient * coefficients;
+  if (accepted.is_adjusted) adjust(simulations, observed, accepted);
   return accepted;
 }
 

@@ -41,8 +41,17 @@ struct Posterior {
   std::vector<double> weights;           ///< One for each, with the sum 1.
   Matrix<double> places;  ///< One row for each, adjusted if the rule requires it; from 0 to 1.
 
+  bool is_adjusted = false;  ///< Whether places have been adjusted.
+
   std::size_t size() const { return simulations.size(); }
 };
+
+/// Column `unknown` of places: its place in each simulation.
+std::vector<double> places_of(const Matrix<double>& places, std::size_t unknown);
+
+/// Accepted simulations that a regression requires for the intercept and each statistic: a usual
+/// least number.
+inline constexpr std::size_t kLeastOfCoefficient = 5;
 
 /// The distance of simulated from observed values: the root of the mean square of their
 /// differences, each divided by its scale. Infinite if a value is not finite.

@@ -163,6 +163,7 @@ std::vector<ClaimConflict> conflicts_of(const std::vector<MetClaims>& met, doubl
 
 std::vector<std::size_t> claims_met(const SweepResults& results) {
   std::vector<std::size_t> counts;
+  counts.reserve(results.points.size());
   for (const SweepPointResults& point : results.points) {
     counts.push_back(static_cast<std::size_t>(std::count_if(
         point.claims.begin(), point.claims.end(),

@@ -42,6 +42,7 @@ double place_in_prior(const SweepDescription& sweep, const Unknown& unknown,
 
 std::vector<double> places_in_prior(const SweepDescription& sweep, const SweepPoint& point) {
   std::vector<double> places;
+  places.reserve(point.size());
   for (std::size_t u = 0; u < point.size(); ++u) {
     places.push_back(place_in_prior(sweep, sweep.unknowns[u], *point[u]));
   }

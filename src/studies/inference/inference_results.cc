@@ -197,6 +197,7 @@ std::string to_json(const InferenceResults& results) {
       {"draws", results.draws.points.size()},
       {"pairs", sweep.sweep.sweep.pairs},
       {"accepted", results.inference.posterior.size()},
+      {"adjusted", results.inference.posterior.is_adjusted},
       {"inference", rule_json(results.targets.inference)},
       {"targets", list_of(results.targets.targets.size(),
                           [&](std::size_t i) { return target_json(results, i); })},

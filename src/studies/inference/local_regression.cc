@@ -49,8 +49,8 @@ std::vector<double> LocalRegression::direction_of(std::size_t column) {
 
 std::vector<double> LocalRegression::coefficients(std::span<const double> values) const {
   require(values.size() == roots_.size(), "each row of predictors has a value");
-  std::vector<double> rest;
-  for (std::size_t i = 0; i < values.size(); ++i) rest.push_back(roots_[i] * values[i]);
+  std::vector<double> rest = roots_;
+  for (std::size_t i = 0; i < values.size(); ++i) rest[i] *= values[i];
   std::vector<double> parts(directions_.size(), 0.0);
   for (std::size_t column = 0; column < parts.size(); ++column) {
     const std::vector<double>& direction = directions_[column];

@@ -36,13 +36,6 @@ PlaceSummary summarize(std::span<const double> values, std::span<const double> w
 
 }  // namespace
 
-std::vector<double> places_of(const Matrix<double>& places, std::size_t unknown) {
-  std::vector<double> values;
-  values.reserve(places.rows());
-  for (std::size_t i = 0; i < places.rows(); ++i) values.push_back(places(i, unknown));
-  return values;
-}
-
 double weighted_quantile(std::span<const double> values, std::span<const double> weights,
                          double share) {
   require(!values.empty() && values.size() == weights.size(),
@@ -86,6 +79,7 @@ Matrix<double> correlations_of(const Posterior& posterior) {
   const std::size_t unknowns = posterior.places.columns();
   Matrix<double> correlations(unknowns, unknowns);
   std::vector<PlaceSummary> summaries;
+  summaries.reserve(unknowns);
   for (std::size_t u = 0; u < unknowns; ++u) summaries.push_back(summary_of(posterior, u));
   for (std::size_t a = 0; a < unknowns; ++a) {
     for (std::size_t b = 0; b < unknowns; ++b) {

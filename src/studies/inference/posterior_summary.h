@@ -18,9 +18,6 @@ struct PlaceSummary {
   double high = 0.0;  ///< Weighted quantile of 0.95.
 };
 
-/// Column `unknown` of places: its place in each simulation.
-std::vector<double> places_of(const Matrix<double>& places, std::size_t unknown);
-
 /// The smallest of the values at which the weights of all values up to it reach `share` of their
 /// sum. Throws InvalidArgument without values.
 double weighted_quantile(std::span<const double> values, std::span<const double> weights,

@@ -179,7 +179,7 @@ Result<void> add_targets(const Targets& targets, SystemSweep& sweep) {
   if (has_levels(sweep.sweep.sweep.design)) {
     return fail(ErrorKind::kUsage,
                 "an inference requires a sweep in which all unknowns vary at once", where,
-                "use the design \"sobol\" or \"latin_hypercube\" with 'points'");
+                R"(use the design "sobol" or "latin_hypercube" with 'points')");
   }
   SOMATO_TRY_VOID(check_seeds(targets.inference, sweep.sweep.sweep, where));
   ReproductionPlan plan;

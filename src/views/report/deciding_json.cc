@@ -100,6 +100,7 @@ class DecisionReader {
     std::sort(margins.begin(), margins.end());
     margins.resize(std::min(margins.size(), kMostAmbiguous));
     std::vector<std::size_t> samples;
+    samples.reserve(margins.size());
     for (const auto& [margin, sample] : margins) samples.push_back(sample);
     return samples;
   }

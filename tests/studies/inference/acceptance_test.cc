@@ -59,6 +59,17 @@ TEST(Acceptance, TakesAllAtTheSameDistance) {
   EXPECT_NEAR(all->places(0, 0), 0.5 / 3, 1e-12) << "a constant statistic adjusts nothing";
 }
 
+TEST(Acceptance, FewSimulationsAreNotAdjusted) {
+  const Simulations all = test::of_normal_mean(100, 1, 9);
+  const auto nine = accept_nearest(all, {{0.0}, {1.0}}, {0.09, true});
+  EXPECT_FALSE(nine->is_adjusted);
+  for (std::size_t i = 0; i < nine->size(); ++i) {
+    EXPECT_EQ(nine->places(i, 0), all.places(nine->simulations[i], 0));
+  }
+  EXPECT_TRUE(accept_nearest(all, {{0.0}, {1.0}}, {0.1, true})->is_adjusted);
+  EXPECT_FALSE(accept_nearest(all, {{0.0}, {1.0}}, {0.1, false})->is_adjusted);
+}
+
 TEST(Acceptance, LeavesADrawOut) {
   const auto posterior = accept_nearest(line_of({0, 1, 2}), {{0.0}, {1.0}}, {0.1, false}, 0);
   EXPECT_EQ(posterior->simulations, (std::vector<std::size_t>{1}));
