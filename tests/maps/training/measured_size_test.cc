@@ -57,7 +57,7 @@ TEST(MeasuredSize, SpreadWithinDistantGroupsCounts) {
   Random random(3);
   Matrix<float> values(100, 2);
   for (std::size_t i = 0; i < values.rows(); ++i) {
-    values(i, 0) = static_cast<float>(1000 * (i % 2) + random.normal());
+    values(i, 0) = static_cast<float>(1000.0 * static_cast<double>(i % 2) + random.normal());
     values(i, 1) = static_cast<float>(random.normal());
   }
   EXPECT_GE(measured(Samples(std::move(values))).share, 0.5);
