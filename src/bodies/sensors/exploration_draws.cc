@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "bodies/sensors/exact_values.h"
+#include "recordings/explorations/true_values.h"
 #include "somato/core/random.h"
 
 namespace somato::detail {
 namespace {
 
-constexpr const char* kName = "true_draws";
+const std::string kName{kTrueDraws};
 constexpr double kWord = 4294967296.0;  // 2^32
 
 const std::vector<std::string>& names_of_draws() {

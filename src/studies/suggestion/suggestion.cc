@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "recordings/explorations/true_values.h"
 #include "studies/suggestion/code_search.h"
 #include "studies/suggestion/suggested_system.h"
 #include "studies/suggestion/suggestion_state.h"
@@ -14,6 +15,11 @@ namespace {
 
 Result<void> check_usable(const Recording& recording) {
   SOMATO_TRY_VOID(validate(recording));
+  if (has_true_values(recording)) {
+    return fail(ErrorKind::kData,
+                "the recording contains true values of a simulation, which no robot has", {},
+                "make a recording without them: sense() and 'somato sense' leave them out");
+  }
   if (recording.explorations.size() > 1) return {};
   return fail(ErrorKind::kData, "the recording has only one exploration", {},
               "a comparison requires at least two; explore more, or cut a long recording into "

@@ -183,8 +183,11 @@ TEST(Relevances, DamagedOnesAreRefused) {
   p.rows = 1;
   p.columns = 2;
   const Som som(resolve(p, 2, 2).value(), Matrix<float>(2, 2, {0, 1, 2, 3}));
-  for (const std::vector<double>& wrong :
-       {std::vector<double>{1.0}, {1.0, 0.0}, {1.0, -1.0}, {1.0, double{kLeftOutValue}}, {1.0, 1e13}}) {
+  for (const std::vector<double>& wrong : {std::vector<double>{1.0},
+                                           {1.0, 0.0},
+                                           {1.0, -1.0},
+                                           {1.0, double{kLeftOutValue}},
+                                           {1.0, 1e13}}) {
     Archive archive("test");
     add_som(archive, "map.", som);
     archive.add("map.relevances", Array<double>{{wrong.size()}, wrong});

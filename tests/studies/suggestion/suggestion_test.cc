@@ -222,6 +222,9 @@ TEST(Suggestion, RecordingsThatCannotBeComparedAreRefused) {
   }
   EXPECT_EQ(error_of(constant).what, "no channel differs between explorations");
   EXPECT_EQ(error_of(Recording{}).kind, ErrorKind::kData);
+  const Recording played = made_senses(3, 2, {{"touch", kSix}, {"true_draws", kSix}});
+  EXPECT_EQ(error_of(played).what,
+            "the recording contains true values of a simulation, which no robot has");
   SuggestionParameters parameters;
   parameters.weights = {};
   EXPECT_EQ(error_of(made_senses(3, 2, {{"touch", kSix}}), parameters).kind, ErrorKind::kUsage);
