@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "base/files/toml_file.h"
@@ -28,7 +29,7 @@ Result<SweepResults> run_fresh(SweepRequest request) {
   SweepRun run(request);
   SOMATO_TRY_VOID(make_folder(request.out));
   SOMATO_TRY_VOID(run.make_folders());
-  SOMATO_TRY([[maybe_unused]] const auto lock, run.lock());
+  SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::wait(request.out));
   SOMATO_TRY_VOID(run.run());
   return run.results();
 }
@@ -43,10 +44,18 @@ Result<void> save_body(const std::filesystem::path& folder, const std::vector<Na
   return {};
 }
 
+// Those of an earlier run, which may have been of other draws or targets.
+void remove_earlier_results(const std::filesystem::path& out) {
+  std::error_code missing;
+  std::filesystem::remove(out / "inference.json", missing);
+  std::filesystem::remove_all(out / "bodies", missing);
+}
+
 }  // namespace
 
 Result<InferenceResults> run_inference(const SweepRequest& request, SweepResults draws) {
   const Targets& targets = *request.targets;
+  remove_earlier_results(request.out);
   SOMATO_TRY(auto inference, infer(draws, targets));
   const InferenceParameters& given = targets.inference;
   auto points = posterior_points(draws.sweep.sweep, inference.posterior, given.bodies, given.seed);

@@ -49,6 +49,10 @@ std::string percent(std::optional<double> share) {
   return share ? fmt::format("{:.0f} %", 100.0 * *share) : "-";
 }
 
+std::string verdict_text(const ClaimShares& shares) {
+  return shares.fresh_verdict ? " (" + choice_name(*shares.fresh_verdict) + ")" : "";
+}
+
 std::string claim_line(const InferenceResults& results, std::size_t number) {
   const Claim& claim = results.draws.sweep.claims[number];
   const ClaimShares& shares = results.claims[number];
@@ -56,23 +60,23 @@ std::string claim_line(const InferenceResults& results, std::size_t number) {
       claim.variation.empty() ? claim.system : claim.system + ", " + claim.variation;
   return fmt::format("  {:>6}  {:>6}  {:>6}  {:>6}  {:11}  {}: {}\n", percent(shares.prior),
                      percent(shares.fresh), percent(shares.left_out), percent(shares.chance),
-                     choice_name(shares.support()), system, claim.text);
+                     choice_name(shares.support()), system, claim.text + verdict_text(shares));
 }
 
-double mean_count(const SweepResults& results) {
-  const std::vector<std::size_t> counts = claims_met(results);
-  const auto sum =
-      static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
-  return counts.empty() ? 0.0 : sum / static_cast<double>(counts.size());
+double mean_met(const SweepResults& results) {
+  const std::vector<double> sums = claims_met(results);
+  const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+  return sums.empty() ? 0.0 : sum / static_cast<double>(sums.size());
 }
 
 std::string joint_line(const InferenceResults& results) {
+  const NotFailing counts = not_failing(results.fresh);
   return fmt::format(
-      "\nOf {}, {:.1f} hold in at least half of the pairs of a body of the prior, {:.1f} with {} "
-      "of the "
-      "posterior and fresh seeds.\n",
-      counted(results.claims.size(), "claim"), mean_count(results.draws), mean_count(results.fresh),
-      counted(results.fresh.points.size(), "setting"));
+      "\nOf {}, {:.1f} hold in a pair of a setting of the prior, {:.1f} in a fresh pair of {} of "
+      "the "
+      "posterior. Of all fresh pairs together, {} do not fail, by their second measures {}.\n",
+      counted(results.claims.size(), "claim"), mean_met(results.draws), mean_met(results.fresh),
+      counted(results.fresh.points.size(), "setting"), counts.first, counts.as_written);
 }
 
 }  // namespace
@@ -99,7 +103,7 @@ std::string inference_table(const InferenceResults& results) {
   return text + joint_line(results) +
          "prior: share of all pairs; fresh: of posterior bodies with fresh seeds; others: "
          "predicted from the targets "
-         "with other measures.\n";
+         "with other measures; in parentheses the verdict on all fresh pairs.\n";
 }
 
 }  // namespace somato::program

@@ -39,6 +39,9 @@ class PartRecordings final : public RecordingSource {
   PartRecordings(PairsRequest& request, const std::filesystem::path& folder)
       : request_(request), explored_(folder, request.seed, request.threads) {}
 
+  /// Recordings are explored with the seeds of the request as it is now.
+  void use_seeds() { explored_.begin_at(request_.seed); }
+
   bool is_given() const override { return request_.given.has_value(); }
   Result<std::size_t> count(const ReproductionPart& part) const override;
   Result<KeptRecordings::Kept> get(const ReproductionPart& part, std::size_t index) override;

@@ -115,7 +115,10 @@ KeptRecordings::Kept KeptRecordings::keep(const std::string& key, PairedRecordin
   constexpr std::size_t kMostBytes = std::size_t{1} << 29;
   const std::size_t bytes = bytes_of(recording.recording);
   auto kept = std::make_shared<const PairedRecording>(std::move(recording));
-  if (bytes_ + bytes > kMostBytes) return kept;
+  if (bytes_ + bytes > kMostBytes) {
+    kept_.clear();
+    bytes_ = 0;
+  }
   bytes_ += bytes;
   kept_.emplace(key, kept);
   return kept;

@@ -20,6 +20,7 @@ namespace somato::program {
 Result<PairedRecording> read_given(const RecordingParameters& parameters, const std::string& path);
 
 /// Caches recordings, as long as they are small in total: several systems run on the same ones.
+/// When they are not, all are released but the latest.
 class KeptRecordings {
  public:
   using Kept = std::shared_ptr<const PairedRecording>;
@@ -41,6 +42,9 @@ class ExploredRecordings {
  public:
   ExploredRecordings(std::filesystem::path folder, std::uint64_t first_seed, std::size_t threads)
       : folder_(std::move(folder)), first_seed_(first_seed), threads_(threads) {}
+
+  /// Sets the seed of recording 0.
+  void begin_at(std::uint64_t first_seed) { first_seed_ = first_seed; }
 
   /// Recording number `index` of the table, with a consecutive seed. Errors: those of exploring,
   /// also if a single exploration fails; kInterrupted.

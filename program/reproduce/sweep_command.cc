@@ -56,6 +56,10 @@ Result<void> check_points(const SweepRequest& request) {
 
 Result<void> read_target_file(const Arguments& arguments, SweepRequest& request) {
   if (!arguments.has("targets")) return {};
+  if (request.pairs.given) {
+    return fail(ErrorKind::kUsage, "an inference explores, for each draw and each fresh setting",
+                "--targets", "omit --data");
+  }
   SOMATO_TRY(const auto file, read_toml(arguments.text("targets")));
   SOMATO_TRY(auto targets, read_targets(file));
   SOMATO_TRY_VOID(add_targets(targets, request.sweep));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -15,7 +16,8 @@ SweepRun::SweepRun(SweepRequest& request)
     : request_(request),
       recordings_(request.pairs, request.out / "recordings"),
       runner_(request.pairs, recordings_),
-      kept_(parts_folder(request.out), request.part.folder_name()) {}
+      kept_(parts_folder(request.out), request.part.folder_name()),
+      first_seed_(request.pairs.seed) {}
 
 Result<void> SweepRun::make_folders() const {
   return make_folder(request_.out / "recordings").and_then([&] { return kept_.make_folders(); });
@@ -26,7 +28,7 @@ Result<void> SweepRun::run() {
   SOMATO_TRY(auto missing, missing_points());
   SweepProgress progress(names_of(request_.sweep), missing.size());
   for (const std::size_t number : missing) {
-    auto ran = run_point(request_.points[number], progress);
+    auto ran = run_point(number, progress);
     if (!ran) return ran;
     progress.end_point();
   }
@@ -39,9 +41,9 @@ Result<void> SweepRun::run() {
 Result<SweepResults> SweepRun::results() {
   kept_.look();
   SweepResults results{request_.sweep, {}};
-  for (const SweepPoint& point : request_.points) {
-    SOMATO_TRY(auto parts, found_at(point));
-    if (parts) results.points.push_back(judge_point(request_.sweep, point, *parts));
+  for (std::size_t i = 0; i < request_.points.size(); ++i) {
+    SOMATO_TRY(auto parts, found_at(i));
+    if (parts) results.points.push_back(judge_point(request_.sweep, request_.points[i], *parts));
   }
   return results;
 }
@@ -51,8 +53,16 @@ Result<std::string> SweepRun::name_of(const ReproductionPart& part) {
       [](const std::string& text) { return checksum_name(SOMATO_VERSION + ("\n" + text)); });
 }
 
-Result<std::optional<std::vector<PartResults>>> SweepRun::found_at(const SweepPoint& point) {
-  SOMATO_TRY(const auto plan, plan_of_point(request_.sweep, point));
+void SweepRun::use_seeds_of(std::size_t number) {
+  if (!request_.targets) return;
+  const std::size_t seeds = std::max(request_.pairs.pairs, request_.pairs.recordings);
+  request_.pairs.seed = first_seed_ + number * seeds;
+  recordings_.use_seeds();
+}
+
+Result<std::optional<std::vector<PartResults>>> SweepRun::found_at(std::size_t number) {
+  use_seeds_of(number);
+  SOMATO_TRY(const auto plan, plan_of_point(request_.sweep, request_.points[number]));
   std::optional<std::vector<PartResults>> parts{std::in_place};
   for (const ReproductionPart& part : plan.parts) {
     SOMATO_TRY(const auto name, name_of(part));
@@ -67,13 +77,15 @@ Result<std::vector<std::size_t>> SweepRun::missing_points() {
   std::vector<std::size_t> missing;
   const Part& part = request_.part;
   for (std::size_t i = part.number - 1; i < request_.points.size(); i += part.of) {
-    SOMATO_TRY(const auto found, found_at(request_.points[i]));
+    SOMATO_TRY(const auto found, found_at(i));
     if (!found) missing.push_back(i);
   }
   return missing;
 }
 
-Result<void> SweepRun::run_point(const SweepPoint& point, SweepProgress& progress) {
+Result<void> SweepRun::run_point(std::size_t number, SweepProgress& progress) {
+  use_seeds_of(number);
+  const SweepPoint& point = request_.points[number];
   SOMATO_TRY(const auto plan, plan_of_point(request_.sweep, point));
   for (std::size_t i = 0; i < plan.parts.size(); ++i) {
     progress.begin_study(i, plan.parts.size());

@@ -49,10 +49,13 @@ class SweepRun {
 
  private:
   Result<std::string> name_of(const ReproductionPart& part);
+  /// With targets each point has seeds of its own, because it is a draw; otherwise all have the
+  /// same.
+  void use_seeds_of(std::size_t number);
   /// Nothing if a study is missing.
-  Result<std::optional<std::vector<PartResults>>> found_at(const SweepPoint& point);
+  Result<std::optional<std::vector<PartResults>>> found_at(std::size_t number);
   Result<std::vector<std::size_t>> missing_points();
-  Result<void> run_point(const SweepPoint& point, SweepProgress& progress);
+  Result<void> run_point(std::size_t number, SweepProgress& progress);
   Result<void> run_study_at(const SweepPoint& point, const ReproductionPart& part,
                             const SweepProgress& progress);
   Error at_point(Error error, const SweepPoint& point) const;
@@ -61,6 +64,7 @@ class SweepRun {
   PartRecordings recordings_;
   PartRunner runner_;
   KeptStudies kept_;
+  std::uint64_t first_seed_;  // of the first point
 };
 
 }  // namespace somato::program

@@ -75,7 +75,7 @@ std::size_t judged_draws(const SweepResults& results, std::size_t claim) {
 }
 
 std::optional<ClaimConflict> conflict_between(const MetClaims& a, const MetClaims& b,
-                                              double least_expected) {
+                                              double simulations_of_draw, double least_expected) {
   double judged = 0.0;
   double met_a = 0.0;
   double met_b = 0.0;
@@ -89,12 +89,41 @@ std::optional<ClaimConflict> conflict_between(const MetClaims& a, const MetClaim
   }
   if (judged < 2.0) return {};
   conflict.expected = met_a * met_b / judged;
-  // The number of both is hypergeometric if the claims are independent.
-  const double variance =
-      conflict.expected * (judged - met_a) * (judged - met_b) / (judged * (judged - 1.0));
+  // The number of both is hypergeometric if the claims, and the simulations, are independent.
+  const double variance = simulations_of_draw * conflict.expected * (judged - met_a) *
+                          (judged - met_b) / (judged * (judged - 1.0));
   if (conflict.expected < least_expected || variance <= 0.0) return {};
   conflict.deviations = (conflict.together - conflict.expected) / std::sqrt(variance);
   return conflict.deviations < kConflictingFrom ? std::optional(conflict) : std::nullopt;
+}
+
+// Adds the pairs of a further point; recordings of different points are different.
+void add_outcome(const ClaimOutcome& more, std::size_t first_recording, ClaimOutcome& all) {
+  all.values.insert(all.values.end(), more.values.begin(), more.values.end());
+  for (const std::size_t recording : more.recordings) {
+    all.recordings.push_back(first_recording + recording);
+  }
+  if (!more.chance_range) return;
+  const bool is_narrower =
+      !all.chance_range || more.chance_range->width() < all.chance_range->width();
+  if (is_narrower) all.chance_range = more.chance_range;
+}
+
+std::size_t recordings_before(const ClaimOutcome& outcome) {
+  const auto& numbers = outcome.recordings;
+  return numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end()) + 1;
+}
+
+void pool(const ClaimOutcome& more, ClaimOutcome& all) {
+  const std::size_t first = recordings_before(all);
+  add_outcome(more, first, all);
+  for (std::size_t i = 0; i < std::min(all.as_written.size(), more.as_written.size()); ++i) {
+    add_outcome(more.as_written[i], first, all.as_written[i]);
+  }
+}
+
+ClaimVerdict verdict_as_written(const ClaimOutcome& outcome) {
+  return outcome.as_written.empty() ? outcome.verdict() : outcome.as_written.front().verdict();
 }
 
 }  // namespace
@@ -122,9 +151,13 @@ MetClaims met_by_simulations(const SweepResults& results, std::size_t claim) {
 }
 
 ClaimSupport ClaimShares::support() const {
-  if (fresh && reaches(*fresh, kExplainedFrom)) return ClaimSupport::kExplained;
+  if (fresh && fresh_pairs >= kLeastPairs && reaches(*fresh, kExplainedFrom)) {
+    return ClaimSupport::kExplained;
+  }
   if (!prior) return ClaimSupport::kNotDecided;
-  if (*prior >= kExcludedBelow) return ClaimSupport::kReachable;
+  if (*prior >= kExcludedBelow || fresh.value_or(0.0) >= kExcludedBelow) {
+    return ClaimSupport::kReachable;
+  }
   return draws >= kDecidingDraws ? ClaimSupport::kExcluded : ClaimSupport::kNotDecided;
 }
 
@@ -137,17 +170,49 @@ ClaimShares shares_of(const SweepResults& results, std::size_t claim,
   shares.posterior = share_met(met, posterior);
   const auto others = without_own_targets(results.sweep.claims[claim], simulations, targets);
   if (others) shares.left_out = share_met(met, *others);
-  if (!fresh.points.empty()) shares.fresh = share_met(met_by_simulations(fresh, claim));
+  const MetClaims met_fresh = met_by_simulations(fresh, claim);
+  shares.fresh = share_met(met_fresh);
+  shares.fresh_pairs = static_cast<std::size_t>(std::count_if(
+      met_fresh.begin(), met_fresh.end(), [](double one) { return !std::isnan(one); }));
+  if (const auto pooled = pooled_outcome(fresh, claim)) {
+    shares.fresh_verdict = verdict_as_written(*pooled);
+  }
   shares.chance = mean_chance(results, claim);
   shares.draws = judged_draws(results, claim);
   return shares;
 }
 
-std::vector<ClaimConflict> conflicts_of(const std::vector<MetClaims>& met, double least_expected) {
+std::optional<ClaimOutcome> pooled_outcome(const SweepResults& results, std::size_t claim) {
+  std::optional<ClaimOutcome> all;
+  for (const SweepPointResults& point : results.points) {
+    const auto& outcome = point.claims[claim];
+    if (!outcome) continue;
+    if (all) {
+      pool(*outcome, *all);
+    } else {
+      all = outcome;
+    }
+  }
+  return all;
+}
+
+NotFailing not_failing(const SweepResults& results) {
+  NotFailing counts;
+  for (std::size_t claim = 0; claim < results.sweep.claims.size(); ++claim) {
+    const auto outcome = pooled_outcome(results, claim);
+    if (!outcome) continue;
+    if (outcome->verdict() != ClaimVerdict::kFails) ++counts.first;
+    if (verdict_as_written(*outcome) != ClaimVerdict::kFails) ++counts.as_written;
+  }
+  return counts;
+}
+
+std::vector<ClaimConflict> conflicts_of(const std::vector<MetClaims>& met,
+                                        double simulations_of_draw, double least_expected) {
   std::vector<ClaimConflict> conflicts;
   for (std::size_t a = 0; a < met.size(); ++a) {
     for (std::size_t b = a + 1; b < met.size(); ++b) {
-      auto conflict = conflict_between(met[a], met[b], least_expected);
+      auto conflict = conflict_between(met[a], met[b], simulations_of_draw, least_expected);
       if (!conflict) continue;
       conflict->first = a;
       conflict->second = b;
@@ -161,15 +226,15 @@ std::vector<ClaimConflict> conflicts_of(const std::vector<MetClaims>& met, doubl
   return conflicts;
 }
 
-std::vector<std::size_t> claims_met(const SweepResults& results) {
-  std::vector<std::size_t> counts;
-  counts.reserve(results.points.size());
+std::vector<double> claims_met(const SweepResults& results) {
+  std::vector<double> sums;
+  sums.reserve(results.points.size());
   for (const SweepPointResults& point : results.points) {
-    counts.push_back(static_cast<std::size_t>(std::count_if(
-        point.claims.begin(), point.claims.end(),
-        [](const auto& outcome) { return outcome && reaches(outcome->share(), kMostlyFrom); })));
+    double sum = 0.0;
+    for (const auto& outcome : point.claims) sum += outcome ? outcome->share() : 0.0;
+    sums.push_back(sum);
   }
-  return counts;
+  return sums;
 }
 
 }  // namespace somato

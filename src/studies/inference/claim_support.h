@@ -15,11 +15,12 @@ namespace somato {
 
 /// Whether settings explain a claim.
 enum class ClaimSupport {
-  kExplained,   ///< It holds in at least kExplainedFrom of the fresh pairs of the posterior.
-  kReachable,   ///< The prior gives it, but the posterior does not in most pairs.
-  kExcluded,    ///< Fewer than kExcludedBelow of the simulations, of at least kDecidingDraws draws,
-                ///< meet it.
-  kNotDecided,  ///< The same with fewer draws; or it could not be judged.
+  /// It holds in at least kExplainedFrom of the fresh pairs of the posterior, at least kLeastPairs.
+  kExplained,
+  /// It holds in at least kExcludedBelow of all simulations, or of the fresh pairs.
+  kReachable,
+  kExcluded,    ///< It holds in fewer, of at least kDecidingDraws draws.
+  kNotDecided,  ///< It holds in fewer, of fewer draws; or it could not be judged.
 };
 
 template <>
@@ -44,6 +45,9 @@ struct ClaimShares {
       posterior;  ///< Weighted share of the accepted ones: on the seeds that selected them.
   /// The same where the targets with the measure of the claim had no part in the selection.
   std::optional<double> left_out;
+  std::size_t fresh_pairs = 0;  ///< Number of the fresh pairs in which it could be judged.
+  /// The verdict on all fresh pairs: by the second measure of the claim, if it has one.
+  std::optional<ClaimVerdict> fresh_verdict;
   std::optional<double> fresh;   ///< Share with fresh seeds, at settings of the posterior.
   std::optional<double> chance;  ///< Mean share of wrong groupings that meet it.
   std::size_t draws = 0;         ///< Number of draws at which it could be judged.
@@ -66,12 +70,28 @@ struct ClaimConflict {
   double deviations = 0.0;  ///< The difference in standard deviations of that number, below 0.
 };
 
-/// The pairs of claims with at least `least_expected` expected simulations and a difference of more
-/// than three standard deviations, the greatest difference first.
-std::vector<ClaimConflict> conflicts_of(const std::vector<MetClaims>& met, double least_expected);
+/// The outcome of claim number `claim` on the pairs of all points together. Its range by chance is
+/// the narrowest one of a point. Nothing if no point could be judged.
+std::optional<ClaimOutcome> pooled_outcome(const SweepResults& results, std::size_t claim);
 
-/// For each point of a sweep: the number of claims that hold in at least half of its pairs
-/// (kMostlyFrom).
-std::vector<std::size_t> claims_met(const SweepResults& results);
+/// The pairs of claims with at least `least_expected` expected simulations and a difference of more
+/// than three standard deviations, the greatest difference first. Pairs of one draw are not
+/// independent: the variance is that of as many independent simulations as there are draws, which
+/// `simulations_of_draw`, the mean number of simulations of a draw, gives.
+std::vector<ClaimConflict> conflicts_of(const std::vector<MetClaims>& met,
+                                        double simulations_of_draw, double least_expected);
+
+/// For each point of a sweep: the sum of the shares of pairs in which the claims hold, which is the
+/// mean number of claims that hold in a pair.
+std::vector<double> claims_met(const SweepResults& results);
+
+/// The number of claims whose pooled outcome, by the first or by the second measure, is not
+/// ClaimVerdict::kFails.
+struct NotFailing {
+  std::size_t first = 0;
+  std::size_t as_written = 0;
+};
+
+NotFailing not_failing(const SweepResults& results);
 
 }  // namespace somato

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <utility>
 
 #include "base/text/value_json.h"
@@ -117,6 +116,8 @@ InferenceJson supported_claim_json(const InferenceResults& results, std::size_t 
   json["posterior"] = or_null(shares.posterior);
   json["left_out"] = or_null(shares.left_out);
   json["fresh"] = or_null(shares.fresh);
+  json["fresh_verdict"] = shares.fresh_verdict ? InferenceJson(choice_name(*shares.fresh_verdict))
+                                               : InferenceJson(nullptr);
   json["chance"] = or_null(shares.chance);
   json["draws"] = shares.draws;
   json["support"] = choice_name(shares.support());
@@ -138,13 +139,14 @@ InferenceJson conflict_json(const InferenceResults& results, const ClaimConflict
 }
 
 InferenceJson joint_json(const SweepResults& results) {
-  std::vector<std::size_t> counts = claims_met(results);
-  std::sort(counts.begin(), counts.end());
-  const auto sum = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-  const std::size_t bodies = counts.size();
-  return {{"bodies", bodies},
-          {"mean", bodies ? static_cast<double>(sum) / static_cast<double>(bodies) : 0.0},
-          {"counts", counts}};
+  std::vector<double> sums = claims_met(results);
+  std::sort(sums.begin(), sums.end());
+  const NotFailing counts = not_failing(results);
+  return {{"bodies", sums.size()},
+          {"mean", mean_of(sums)},
+          {"sums", sums},
+          {"not_failing", counts.first},
+          {"not_failing_as_written", counts.as_written}};
 }
 
 InferenceJson bodies_json(const InferenceResults& results) {
@@ -185,7 +187,9 @@ InferenceResults with_claims(SweepResults draws, Targets targets, Inference infe
                                        results.inference.posterior, results.targets,
                                        results.fresh));
   }
-  results.conflicts = conflicts_of(met, kLeastExpected);
+  const auto count = static_cast<double>(std::max<std::size_t>(results.draws.points.size(), 1));
+  const auto simulations = static_cast<double>(results.inference.simulations.draw.size());
+  results.conflicts = conflicts_of(met, std::max(1.0, simulations / count), kLeastExpected);
   return results;
 }
 

@@ -69,6 +69,13 @@ Claim measure_of(const Target& target) {
   return measure;
 }
 
+bool has_protocol(const StudyParameters& study, const Target& target) {
+  const bool runs =
+      std::any_of(study.protocols.begin(), study.protocols.end(),
+                  [&](Protocol protocol) { return choice_name(protocol) == target.protocol; });
+  return runs && (target.group.empty() || contains(study.groups, target.group));
+}
+
 Result<void> check_swept(const Target& target, const std::vector<ReproductionPart>& parts) {
   std::vector<std::string> systems;
   std::vector<std::string> variations;
@@ -79,8 +86,17 @@ Result<void> check_swept(const Target& target, const std::vector<ReproductionPar
   if (!contains(systems, target.system)) {
     return fail(unknown_name("system of the sweep", target.system, target.where, systems));
   }
-  if (contains(variations, target.variation)) return {};
-  return fail(unknown_name("variation", target.variation, target.where, variations));
+  if (!contains(variations, target.variation)) {
+    return fail(unknown_name("variation", target.variation, target.where, variations));
+  }
+  const auto measures = [&](const ReproductionPart& part) {
+    return part.system == target.system && part.variation == target.variation &&
+           has_protocol(part.description.study, target);
+  };
+  if (std::any_of(parts.begin(), parts.end(), measures)) return {};
+  return refuse_target(target,
+                       "has the protocol '" + target.protocol + "', which the system does not run",
+                       "add it to 'protocols' of [study] in the file of the sweep");
 }
 
 // The seeds of explorations and trainings are consecutive.
@@ -90,8 +106,9 @@ bool overlap(std::uint64_t a, std::size_t count_a, std::uint64_t b, std::size_t 
 
 Result<void> check_seeds(const InferenceParameters& inference, const SweepParameters& sweep,
                          const std::string& where) {
-  const std::size_t swept = std::max(sweep.pairs, sweep.recordings);
-  if (!overlap(sweep.seed, swept, inference.seed, inference.pairs)) return {};
+  const std::size_t swept = *sweep.points * std::max(sweep.pairs, sweep.recordings);
+  const std::size_t fresh = inference.bodies * inference.pairs;
+  if (!overlap(sweep.seed, swept, inference.seed, fresh)) return {};
   return fail(ErrorKind::kUsage, "the fresh seeds are among those of the sweep", where,
               "set 'seed' of [inference] to " + std::to_string(sweep.seed + swept) + " or more");
 }
@@ -169,9 +186,15 @@ Result<Targets> read_targets(const Table& file) {
 }
 
 bool is_about(const Claim& claim, const Target& target) {
-  return claim.system == target.system && claim.variation == target.variation &&
-         claim.metric == target.metric && claim.protocol == target.protocol &&
-         claim.group == target.group;
+  if (claim.protocol != target.protocol || claim.group != target.group) return false;
+  const auto is_measure = [&](const std::string& system, const std::string& variation,
+                              const std::string& metric) {
+    return system == target.system && variation == target.variation && metric == target.metric;
+  };
+  if (is_measure(claim.system, claim.variation, claim.metric)) return true;
+  return claim.compares() &&
+         is_measure(claim.than_system.empty() ? claim.system : claim.than_system,
+                    claim.than_variation, claim.other_metric());
 }
 
 Result<void> add_targets(const Targets& targets, SystemSweep& sweep) {

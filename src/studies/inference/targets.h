@@ -56,12 +56,13 @@ struct Targets {
 /// metric or protocol; a scale that is not above 0; two targets with the same measure.
 Result<Targets> read_targets(const Table& file);
 
-/// Whether a claim is about the measure of a target, so that the target's value decides it.
+/// Whether a claim, or the other side of its comparison, is about the measure of a target.
 bool is_about(const Claim& claim, const Target& target);
 
 /// Makes a sweep take the measures of the targets at every point. Errors (kUsage) with their
-/// location: a system or variation that is not swept; a design in which not all unknowns vary at
-/// once; a fresh seed among those of the sweep.
+/// location: a system or variation that is not swept, or without the protocol of the target; a
+/// design in which not all unknowns vary at once; a fresh seed among those of the draws, each of
+/// which has its own.
 Result<void> add_targets(const Targets& targets, SystemSweep& sweep);
 
 }  // namespace somato

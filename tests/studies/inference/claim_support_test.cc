@@ -61,9 +61,16 @@ TEST(ClaimSupport, IsExcludedOnlyByManyDraws) {
   shares.prior = 0.01;
   EXPECT_EQ(shares.support(), ClaimSupport::kReachable);
   shares.fresh = 0.9;
+  shares.fresh_pairs = kLeastPairs - 1;
+  EXPECT_EQ(shares.support(), ClaimSupport::kReachable) << "too few pairs";
+  shares.fresh_pairs = kLeastPairs;
   EXPECT_EQ(shares.support(), ClaimSupport::kExplained);
   shares.fresh = 0.89;
   EXPECT_EQ(shares.support(), ClaimSupport::kReachable);
+  shares.prior = 0.001;
+  EXPECT_EQ(shares.support(), ClaimSupport::kReachable) << "the posterior gives it";
+  shares.fresh = 0.0;
+  EXPECT_EQ(shares.support(), ClaimSupport::kExcluded);
 }
 
 TEST(ClaimSupport, FindsClaimsThatExcludeEachOther) {
@@ -79,7 +86,7 @@ TEST(ClaimSupport, FindsClaimsThatExcludeEachOther) {
   first.push_back(kUnjudgedClaim);
   second.push_back(1.0);
   third.push_back(1.0);
-  const auto conflicts = conflicts_of({first, second, third}, 5.0);
+  const auto conflicts = conflicts_of({first, second, third}, 1.0, 5.0);
   ASSERT_EQ(conflicts.size(), 1U);
   EXPECT_EQ(conflicts[0].first, 0U);
   EXPECT_EQ(conflicts[0].second, 1U);
@@ -87,18 +94,49 @@ TEST(ClaimSupport, FindsClaimsThatExcludeEachOther) {
   EXPECT_EQ(conflicts[0].expected, 25.0);
   // The variance of the hypergeometric distribution, 100 with 50 and 50.
   EXPECT_NEAR(conflicts[0].deviations, -25.0 / std::sqrt(25.0 * 50 * 50 / (100.0 * 99)), 1e-12);
-  EXPECT_TRUE(conflicts_of({first, second}, 26.0).empty());
-  EXPECT_TRUE(conflicts_of({MetClaims{1.0}, MetClaims{0.0}}, 0.0).empty());
+  // Four simulations of each draw have the variance of a quarter as many.
+  EXPECT_NEAR(conflicts_of({first, second, third}, 4.0, 5.0)[0].deviations,
+              conflicts[0].deviations / 2.0, 1e-12);
+  EXPECT_TRUE(conflicts_of({first, second}, 1.0, 26.0).empty());
+  EXPECT_TRUE(conflicts_of({MetClaims{1.0}, MetClaims{0.0}}, 1.0, 0.0).empty());
 }
 
-TEST(ClaimSupport, CountsTheClaimsOfEachBody) {
-  const SweepResults results = rates_as_accuracies(8, targets_of(kTarget).value(), 0.0);
-  const auto counts = claims_met(results);
-  ASSERT_EQ(counts.size(), 8U);
-  for (std::size_t i = 0; i < 8; ++i) {
+TEST(ClaimSupport, SumsTheSharesOfEachBody) {
+  SweepResults results = rates_as_accuracies(8, targets_of(kTarget).value(), 0.0);
+  results.points[0].claims[0]->values = {0.0, 1.0};
+  const auto sums = claims_met(results);
+  ASSERT_EQ(sums.size(), 8U);
+  EXPECT_DOUBLE_EQ(sums[0], 0.5 + 1.0) << "the small map is always worse";
+  for (std::size_t i = 1; i < 8; ++i) {
     const double accuracy = results.points[i].claims[0]->values[0];
-    EXPECT_EQ(counts[i], (accuracy >= 0.5 ? 1U : 0U) + 1U) << "the small map is always worse";
+    EXPECT_DOUBLE_EQ(sums[i], (accuracy >= 0.5 ? 1.0 : 0.0) + 1.0);
   }
+}
+
+TEST(ClaimSupport, PoolsThePairsOfAllBodies) {
+  const SweepResults results = rates_as_accuracies(16, targets_of(kTarget).value(), 0.0);
+  const auto all = pooled_outcome(results, 0);
+  ASSERT_TRUE(all);
+  ASSERT_EQ(all->values.size(), 32U);
+  EXPECT_EQ(all->values[6], results.points[3].claims[0]->values[0]);
+  EXPECT_EQ(all->verdict(), ClaimVerdict::kMostly) << "half of the rates are at least 0.5";
+  EXPECT_FALSE(pooled_outcome({results.sweep, {}}, 0));
+  const NotFailing counts = not_failing(results);
+  EXPECT_EQ(counts.first, 2U);
+  EXPECT_EQ(counts.as_written, 2U);
+}
+
+// The two sides of a comparison are of the same target.
+TEST(ClaimSupport, BothSidesOfAComparisonAreAboutATarget) {
+  const Target target = targets_of(kTarget).value().targets[0];
+  Claim claim;
+  claim.system = "other";
+  claim.metric = "accuracy";
+  EXPECT_FALSE(is_about(claim, target));
+  claim.than_system = "press";
+  EXPECT_TRUE(is_about(claim, target));
+  claim.than_metric = "baseline_accuracy";
+  EXPECT_FALSE(is_about(claim, target));
 }
 
 }  // namespace

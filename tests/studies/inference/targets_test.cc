@@ -60,7 +60,7 @@ TEST(Targets, AreMeasuredAtEveryPoint) {
   ASSERT_EQ(sweep.measured.size(), 1U);
   EXPECT_EQ(sweep.measured[0].metric, "accuracy");
   EXPECT_TRUE(is_about(sweep.claims[0], targets.targets[0]));
-  EXPECT_FALSE(is_about(sweep.claims[1], targets.targets[0])) << "it is about a variation";
+  EXPECT_TRUE(is_about(sweep.claims[1], targets.targets[0])) << "it compares a variation with it";
 }
 
 // A variation without claims is run if a target is about it.
@@ -84,12 +84,19 @@ TEST(Targets, RefuseSystemsDesignsAndSeedsThatDoNotFit) {
   expect_in(added(swept_at_once(8), kTarget + "variation = 'tiny'\n"), "unknown variation 'tiny'");
   expect_in(added(test::sweep_toml("one_at_a_time", test::rate()), kTarget),
             "all unknowns vary at once");
-  expect_in(added(swept_at_once(8), "[inference]\nseed = 2012\n" + kTarget),
-            "among those of the sweep");
-  expect_in(added(swept_at_once(8), "[inference]\nseed = 2007\n" + kTarget),
-            "among those of the sweep");
-  EXPECT_EQ(added(swept_at_once(8), "[inference]\nseed = 2013\n" + kTarget), "nothing");
-  EXPECT_EQ(added(swept_at_once(8), "[inference]\nseed = 2006\n" + kTarget), "nothing");
+  const std::string leave_out = "protocol = 'leave_group_out'\ngroup = 'trial'\n";
+  expect_in(added(swept_at_once(8), kTarget + leave_out), "which the system does not run");
+  // Eight draws have two pairs and two recordings each, two bodies two pairs.
+  const auto with_seed = [&](int seed) {
+    return added(swept_at_once(8), "[inference]\nbodies = 2\npairs = 2\nseed = " +
+                                       std::to_string(seed) + "\n" + kTarget);
+  };
+  expect_in(with_seed(2012), "among those of the sweep");
+  expect_in(with_seed(2008), "among those of the sweep");
+  const int next = 2011 + 8 * 2;
+  EXPECT_EQ(with_seed(2007), "nothing");
+  expect_in(with_seed(next - 1), "among those of the sweep");
+  EXPECT_EQ(with_seed(next), "nothing");
 }
 
 }  // namespace
