@@ -165,12 +165,18 @@ Result<void> check_size(SizeChoice size, const RowData& rows) {
               rows.path, "give --rows and --columns, or a larger --memory");
 }
 
+Result<void> not_stopped() {
+  if (!stop_requested()) return {};
+  return fail(ErrorKind::kInterrupted, "the measurement of the size was stopped", {},
+              "nothing was written");
+}
+
 Result<SomParameters> sized_parameters(const SomParameters& parameters, SizeChoice size,
                                        const SomModel& model, const RowData& rows,
                                        std::size_t threads) {
   if (size == SizeChoice::kByNumber) return parameters;
   SOMATO_TRY(auto sized, sized_by_measurement(parameters, model.prepare(*rows.in_memory()),
-                                              {.threads = threads}));
+                                              {.threads = threads, .proceed = not_stopped}));
   return std::move(sized.parameters);
 }
 
@@ -183,9 +189,9 @@ struct TrainingRequest {
 };
 
 Result<TrainingRequest> read_request(const Arguments& arguments, JoinedProcesses* processes) {
+  SOMATO_TRY(const auto size, read_size(arguments, processes));
   SOMATO_TRY(const auto parameters, read_som_parameters(arguments));
   SOMATO_TRY(const auto threads, threads_of(arguments, processes));
-  SOMATO_TRY(const auto size, read_size(arguments, processes));
   const bool is_batch = parameters.training == Training::kBatch || size == SizeChoice::kMeasured;
   SOMATO_TRY(const auto missing, read_missing(arguments));
   if (missing == MissingFill::kLeaveOut && arguments.has("checkpoint")) {

@@ -1,5 +1,7 @@
 """A self-organizing map as an estimator of scikit-learn."""
 
+import inspect
+
 import numpy as np
 from sklearn.base import BaseEstimator, ClassNamePrefixFeaturesOutMixin, TransformerMixin
 
@@ -61,7 +63,8 @@ class SOM(MapAnalysis, MapDrawing, MapFiles, MapLabels, ClassNamePrefixFeaturesO
             with layers is the sum of theirs, each times weight and divided by scale.
         size: ``"measured"``: the size and the length follow from the rows, without labels. The number of
             neurons is the least, from a sixteenth of that of the rows to as many, than which the best does
-            not lower the distance of rows that are held out by more than one standard error; training is in batches, until
+            not lower the distance of rows that are held out by more than one standard error; fewer than 50 rows
+            get as many neurons. Training is in batches, until
             nothing improves, with a final radius of 0.2. Such a map classifies better and is less suitable
             for looking at (docs/decisions/0040-automatic-size.md). Parameters that it decides, such as
             rows, columns, training and radius_end, must be left out. Rows without missing values.
@@ -332,6 +335,13 @@ class SOM(MapAnalysis, MapDrawing, MapFiles, MapLabels, ClassNamePrefixFeaturesO
     @property
     def _n_features_out(self):
         return self.map_.parameters["rows"] * self.map_.parameters["columns"]
+
+    def __setstate__(self, state):
+        """Parameters that a pickle of an earlier version lacks have their defaults."""
+        super().__setstate__(state)
+        for name, parameter in inspect.signature(type(self).__init__).parameters.items():
+            if parameter.default is not inspect.Parameter.empty:
+                self.__dict__.setdefault(name, parameter.default)
 
     def __sklearn_tags__(self):
         tags = super().__sklearn_tags__()

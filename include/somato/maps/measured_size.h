@@ -61,8 +61,8 @@ struct SizeOptions {
 };
 
 /// The number of neurons by measured convergence: maps of a sixteenth, an eighth, a quarter, a half
-/// and as many neurons as samples learn four of five samples in batches, and the distance of each
-/// fifth one is measured; of fewer than 2500 samples, others are held out in turn, until 500
+/// and as many neurons as samples learn four of five samples in batches, and the distance of a
+/// random fifth is measured; of fewer than 2500 samples, others are held out in turn, until 500
 /// distances or those of all samples are measured. The least number is taken than which the best
 /// one is not better by more than one standard error of the differences (the rule of Breiman and
 /// others, Classification and Regression Trees, 1984), or by at most 1e-4 of the distance from a
@@ -96,7 +96,7 @@ struct SizedParameters {
 };
 
 /// `parameters` with the size that measured_size() finds for `samples`, of which at most 2500 are
-/// measured, evenly spaced in their order, and with_size() for it: an approximately square map of
+/// measured, drawn at random, and with_size() for it: an approximately square map of
 /// at most most_neurons(). Samples must be complete.
 ///
 /// Errors: the neighbourhood cannot be used in batches (kUsage); elements are missing (kData);

@@ -2,6 +2,7 @@
 
 import os
 import warnings
+from typing import TypeVar
 
 import numpy as np
 
@@ -9,6 +10,9 @@ from .. import _somato
 from .._inputs.rows import check_fitted, level_of_user
 from ..errors import LeftOutWarning, UsageError
 from .foreign import parts_of_minisom, weights_of
+
+
+Estimator = TypeVar("Estimator", bound="MapFiles")
 
 
 class MapFiles:
@@ -32,7 +36,7 @@ class MapFiles:
         self.map_.export_npz(os.fspath(path))
 
     @classmethod
-    def load(cls, path, *, features=None, variable=None, **parameters) -> "SOM":
+    def load(cls: type[Estimator], path, *, features=None, variable=None, **parameters) -> Estimator:
         """The estimator of a map in a file.
 
         Args:
@@ -62,8 +66,8 @@ class MapFiles:
         return cls._of(trained)
 
     @classmethod
-    def from_weights(cls, weights, *, lattice="rectangular", topology="plane", features=None,
-                     **parameters) -> "SOM":
+    def from_weights(cls: type[Estimator], weights, *, lattice="rectangular", topology="plane", features=None,
+                     **parameters) -> Estimator:
         """The estimator of a map that was trained elsewhere.
 
         Args:
@@ -86,7 +90,7 @@ class MapFiles:
                                    if name in cls._NOT_OF_MAP and name not in ("random_state", "seed")})
 
     @classmethod
-    def from_minisom(cls, minisom, *, similarity=None, features=None) -> "SOM":
+    def from_minisom(cls: type[Estimator], minisom, *, similarity=None, features=None) -> Estimator:
         """The estimator of a map of the package MiniSom, which need not be installed.
 
         Weights, lattice and the distance that chooses winners are taken over, the parameters of its

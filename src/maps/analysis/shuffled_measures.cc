@@ -68,6 +68,11 @@ Result<std::vector<SomMeasures>> measure_shuffled(const Som& som, const Samples&
     return fail(ErrorKind::kUsage, "a map that grows cannot be trained again on shuffled data",
                 "shuffles", "use a map on rows and columns, or no shuffles");
   }
+  if (!som.parameters().relevances.empty() && parameters.shuffles > 0) {
+    return fail(ErrorKind::kUsage,
+                "a map with relevances has a distance that shuffled maps do not learn", "shuffles",
+                "use no shuffles, or a map that is refined by glvq");
+  }
   TrainingOptions options;
   options.threads = threads;
   // Only whether to continue: a training is one step of this progress.
@@ -77,12 +82,10 @@ Result<std::vector<SomMeasures>> measure_shuffled(const Som& som, const Samples&
       return progress(done, parameters.shuffles);
     };
   }
-  SomParameters untrained = som.parameters();
-  untrained.relevances.clear();
   std::vector<SomMeasures> measures;
   for (; done < parameters.shuffles; ++done) {
     const Samples shuffled = with_shuffled_features(samples, parameters.seed + done);
-    SOMATO_TRY(const auto trained, train_som(untrained, shuffled, options));
+    SOMATO_TRY(const auto trained, train_som(som.parameters(), shuffled, options));
     measures.push_back(measure_som(trained, shuffled, chosen, parameters, classes, threads));
   }
   return measures;

@@ -9,7 +9,9 @@
 #include "base/core/threads.h"
 #include "maps/analysis/paired_errors.h"
 #include "maps/som/fill_from_winner.h"
+#include "maps/som/initial_weights.h"
 #include "somato/core/check.h"
+#include "somato/core/random.h"
 #include "somato/maps/som_training.h"
 
 namespace somato {
@@ -34,21 +36,29 @@ struct Division {
   std::vector<std::size_t> held_out;
 };
 
-Division divided(std::size_t count, std::size_t fold) {
+// Of samples in random order, because those of a table may be in a regular one.
+Division divided(const std::vector<std::size_t>& places, std::size_t fold) {
   Division division;
-  for (std::size_t i = 0; i < count; ++i) {
-    (i % kHeldOut == fold ? division.held_out : division.learned).push_back(i);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    (places[i] % kHeldOut == fold ? division.held_out : division.learned).push_back(i);
   }
   return division;
+}
+
+// The same for every seed of a map.
+std::vector<std::size_t> random_places(std::size_t count) {
+  Random random(1, Stream::kGroupings);
+  return random_order(count, random);
 }
 
 // As many divisions as hold kLeastHeldOut samples out, at most all: the standard error of a few
 // samples would hide what more neurons gain.
 std::vector<Division> divisions(std::size_t count) {
+  const std::vector<std::size_t> places = random_places(count);
   std::vector<Division> all;
   std::size_t held_out = 0;
   for (std::size_t fold = 0; fold < kHeldOut && held_out < kLeastHeldOut; ++fold) {
-    all.push_back(divided(count, fold));
+    all.push_back(divided(places, fold));
     held_out += all.back().held_out.size();
   }
   return all;
@@ -139,10 +149,11 @@ Result<TriedSize> tried_size(const SomParameters& parameters, const Samples& sam
 }
 
 // Those that are measured.
-Samples spaced(const Samples& samples) {
+Samples drawn(const Samples& samples) {
   if (samples.count() <= kMostMeasured) return samples;
-  std::vector<std::size_t> numbers(kMostMeasured);
-  for (std::size_t i = 0; i < kMostMeasured; ++i) numbers[i] = i * samples.count() / kMostMeasured;
+  std::vector<std::size_t> numbers = random_places(samples.count());
+  numbers.resize(kMostMeasured);
+  std::ranges::sort(numbers);
   return samples.subset(numbers);
 }
 
@@ -172,15 +183,17 @@ const Declarations<SizeParameters>& SizeParameters::declarations() {
       "size", &SizeParameters::size, "", Range::any(),
       "How the size is decided where rows and columns are not given: by_number of the samples, or "
       "measured: as many neurons as lower the distance of samples that are not learned, up to as "
-      "many as samples, trained in batches until nothing improves. Measured maps classify better "
+      "many as samples (fewer than 50 get as many), trained in batches until nothing improves. "
+      "Measured maps classify better "
       "and are less suitable for looking at. Our choice; docs/decisions/0040-automatic-size.md.");
   return declared;
 }
 
 std::string reason_without_effect(SizeChoice size, std::string_view name) {
   constexpr std::array kDecided{
-      "rows",      "columns", "initial_weights", "training",     "iterations", "epochs",
-      "tolerance", "draws",   "radius_schedule", "radius_start", "radius_end", "radius_reached_at"};
+      "rows",       "columns",           "initial_weights", "training",        "iterations",
+      "epochs",     "tolerance",         "draws",           "radius_schedule", "radius_start",
+      "radius_end", "radius_reached_at", "patience",        "most_checks"};
   const bool is_decided =
       std::ranges::find(kDecided, name) != kDecided.end() || name.starts_with("learning_rate");
   return size == SizeChoice::kMeasured && is_decided ? "the size is measured" : "";
@@ -234,10 +247,13 @@ SomParameters with_size(SomParameters parameters, std::size_t rows, std::size_t 
 Result<SizedParameters> sized_by_measurement(const SomParameters& parameters,
                                              const Samples& samples, const SizeOptions& options) {
   SOMATO_TRY_VOID(check_measurable(parameters, samples));
-  SOMATO_TRY(const MeasuredSize size, measured_size(parameters, spaced(samples), options));
+  SOMATO_TRY(const MeasuredSize size, measured_size(parameters, drawn(samples), options));
   const auto count = static_cast<double>(samples.count());
   const double neurons = std::min(size.share * count, most_neurons(samples.count()));
-  return SizedParameters{sized(parameters, std::max(1.0, neurons)), size};
+  SomParameters found = sized(parameters, std::max(1.0, neurons));
+  const bool has_plane = check_initial_weights(found, samples).has_value();
+  if (!has_plane) found.initial_weights = InitialWeights::kSamples;
+  return SizedParameters{std::move(found), size};
 }
 
 }  // namespace somato

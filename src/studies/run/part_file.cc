@@ -12,7 +12,7 @@ namespace {
 
 using PartJson = nlohmann::json;
 
-constexpr int kPartVersion = 4;
+constexpr int kPartVersion = 5;
 
 PartJson protocol_json(const ProtocolResults& protocol) {
   PartJson metrics = PartJson::array();

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "maps/grid/principal_plane.h"
 #include "studies/codes/rounding.h"
 
 namespace somato {
@@ -99,11 +100,22 @@ class SystemOfParts {
     return "vector";
   }
 
+  std::size_t elements_of_parts() const {
+    std::size_t elements = 0;
+    for (const SuggestedPart& part : suggestion_.parts) {
+      elements += groups_[part.group].candidates[part.code].elements;
+    }
+    return elements;
+  }
+
   void add_map(const std::string& input) {
     const auto [rows, columns] =
         sides_of_map(suggestion_.explorations, suggestion_.parameters.least_side.value_or(15),
                      suggestion_.size.share);
-    const SomParameters parameters = with_size({}, rows, columns);
+    SomParameters parameters = with_size({}, rows, columns);
+    const bool has_plane =
+        suggestion_.explorations <= kMostRowsOfPlane || elements_of_parts() <= kMostRowsOfPlane;
+    if (!has_plane) parameters.initial_weights = InitialWeights::kSamples;
     std::vector<SystemBuilder::Setting> settings{{"input", {input}}};
     for (const char* name : kOfSize) {
       settings.push_back({name, SomParameters::declarations().find(name)->read(parameters)});

@@ -202,6 +202,10 @@ TEST(ShuffledMeasures, StopAndRefuseMapsThatGrow) {
   const auto graph = std::make_shared<const NeuronGraph>(2, std::vector<NeuronGraph::Edge>{{0, 1}});
   const Som grown(som.parameters(), Matrix<float>(2, 1, {1, 2}), graph);
   EXPECT_EQ(measure_shuffled(grown, samples, {}, parameters).error().kind, ErrorKind::kUsage);
+  // Shuffled maps would be measured by another distance.
+  Som weighted = som;
+  weighted.set_relevances({1.0});
+  EXPECT_EQ(measure_shuffled(weighted, samples, {}, parameters).error().kind, ErrorKind::kUsage);
 }
 
 }  // namespace

@@ -63,6 +63,29 @@ TEST(MeasuredSize, SpreadWithinDistantGroupsCounts) {
   EXPECT_GE(measured(Samples(std::move(values))).share, 0.5);
 }
 
+// Every fifth sample is of the same group, which must not be the one that is held out.
+TEST(MeasuredSize, SamplesInARegularOrderAreMeasuredLikeOthers) {
+  Random random(4);
+  Matrix<float> values(300, 2);
+  for (std::size_t i = 0; i < values.rows(); ++i) {
+    values(i, 0) = static_cast<float>(100.0 * static_cast<double>(i % 5) + random.normal());
+    values(i, 1) = static_cast<float>(random.normal());
+  }
+  EXPECT_GE(measured(Samples(std::move(values))).share, 0.5);
+}
+
+// Of more samples than are measured, every second one is the same.
+TEST(MeasuredSize, ManySamplesAreDrawnAtRandom) {
+  Random random(6);
+  Matrix<float> values(5000, 2);
+  for (std::size_t i = 0; i < values.rows(); i += 2) {
+    values(i, 0) = static_cast<float>(random.normal());
+    values(i, 1) = static_cast<float>(random.normal());
+  }
+  const auto sized = sized_by_measurement({}, Samples(std::move(values)), {.threads = 2}).value();
+  EXPECT_GE(sized.size.share, 0.25);
+}
+
 TEST(MeasuredSize, ThreadsHaveNoEffect) {
   const Samples samples = normal_samples(150, 3);
   const MeasuredSize one = measured(samples, 1, Similarity::kManhattan);

@@ -60,6 +60,16 @@ def test_copies_are_the_same_map(X, labels, copied):
     np.testing.assert_array_equal(other.partial_fit(X).weights_, som.partial_fit(X).weights_)
 
 
+def test_a_pickle_of_an_earlier_version_lacks_parameters(X, labels):
+    for estimator in (SOM(4, 4, iterations=100), SOMClassifier(4, 4, iterations=100)):
+        estimator.fit(X, labels)
+        for name in ("size", "refine_relevance_rate"):
+            del estimator.__dict__[name]
+        loaded = pickle.loads(pickle.dumps(estimator))
+        assert clone(loaded).get_params()["size"] == "by_number"
+        assert loaded.partial_fit(X).refine_relevance_rate == 0.03
+
+
 def test_a_pickle_contains_the_model_file(X, tmp_path):
     som = SOM(4, 4, iterations=300).fit(X)
     som.save(tmp_path / "map.somato")
