@@ -36,7 +36,7 @@ struct Division {
   std::vector<std::size_t> held_out;
 };
 
-// Of samples in random order, because those of a table may be in a regular one.
+// Samples are held out in random order, because those of a table may be in a regular one.
 Division divided(const std::vector<std::size_t>& places, std::size_t fold) {
   Division division;
   for (std::size_t i = 0; i < places.size(); ++i) {

@@ -74,7 +74,7 @@ TEST(MeasuredSize, SamplesInARegularOrderAreMeasuredLikeOthers) {
   EXPECT_GE(measured(Samples(std::move(values))).share, 0.5);
 }
 
-// Of more samples than are measured, every second one is the same.
+// Every second sample is the same, and fewer are measured than there are.
 TEST(MeasuredSize, ManySamplesAreDrawnAtRandom) {
   Random random(6);
   Matrix<float> values(5000, 2);
