@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,17 @@ Result<ExploringParameters> read_sensors(const Arguments& arguments, const Explo
   return read_sensor_parameters(given, std::move(parameters));
 }
 
+// Without the settings of the exploration, parameters that are not given are reset to defaults.
+Result<std::string> note_of_defaults(const Arguments& arguments, const Exploration& first) {
+  if (arguments.has("settings")) return std::string();
+  return note_of_other_sensors(first);
+}
+
+void print_sensor_note(const std::string& path, const std::string& note) {
+  if (is_quiet() || note.empty()) return;
+  fmt::print(stderr, "somato: {}: {}\n", printable(path), note);
+}
+
 Result<Recording> read_selected(const Arguments& arguments, const std::string& path) {
   ThingSelection selection;
   if (arguments.has("objects")) selection.things = split(arguments.text("objects"), ',');
@@ -48,8 +60,10 @@ Result<void> run_sense(const Arguments& arguments) {
   SOMATO_TRY(const auto parameters, read_sensors(arguments, explored.explorations.front()));
   auto sensed = sense(explored, parameters, seed, threads);
   if (!sensed) return fail(with_place(std::move(sensed.error()), from));
+  SOMATO_TRY(const std::string note, note_of_defaults(arguments, explored.explorations.front()));
   SOMATO_TRY_VOID(write_recording(to, *sensed));
   print_summary(fmt::format("{}: {}\n", to, counted(sensed->explorations.size(), "exploration")));
+  print_sensor_note(from, note);
   return {};
 }
 
@@ -72,7 +86,7 @@ Command sense_command() {
       {{"RECORDING", "Recording of 'explore' with --true-values true", true}},
       {input_flag("--settings",
                   "TOML file with tables of parameters, as of 'explore'; those of the sensors "
-                  "count. Default: the default sensors"),
+                  "count, without true_values. Default: the default sensors"),
        {"--seed",
         "Seed of the noise and of the differences between sensors. Default: that of the recording"},
        {"--objects",

@@ -108,9 +108,12 @@ Recording selected(const Recording& recording, const std::vector<std::string>& t
   return value_or_throw(select_things(recording, {things, explorations}));
 }
 
-// The explorations with the readings of other sensors.
-Recording sensed(const Recording& recording, const std::optional<std::string>& settings,
-                 const nb::dict& sensors, std::optional<std::uint64_t> seed, std::size_t threads) {
+// The explorations with the readings of other sensors, and a note if settings are not given but
+// those of the explorations are not the defaults; otherwise an empty one.
+std::pair<Recording, std::string> sensed(const Recording& recording,
+                                         const std::optional<std::string>& settings,
+                                         const nb::dict& sensors, std::optional<std::uint64_t> seed,
+                                         std::size_t threads) {
   ExploringParameters parameters;
   if (settings) {
     parameters = value_or_throw(read_toml(*settings).and_then(
@@ -120,11 +123,14 @@ Recording sensed(const Recording& recording, const std::optional<std::string>& s
   value_or_throw(check_sensor_effect(given, recording.explorations.front()));
   parameters = read_or_throw(read_sensor_parameters(given, std::move(parameters)));
   Result<Recording> result;
+  Result<std::string> note;
   {
     const nb::gil_scoped_release released;
     result = sense(recording, parameters, seed, threads);
+    if (result && !settings) note = note_of_other_sensors(recording.explorations.front());
   }
-  return value_or_throw(std::move(result));
+  Recording played = value_or_throw(std::move(result));
+  return {std::move(played), value_or_throw(std::move(note))};
 }
 
 }  // namespace

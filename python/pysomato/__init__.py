@@ -33,7 +33,7 @@ _NAMES_OF = {
     "drawing": ["Drawing", "Page"],
     "errors": ["ConversionWarning", "DataError", "DataTypeError", "Error", "LabelWarning", "LeftOutWarning",
                "MissingChannelError", "NotFittedError", "OperatingSystemError", "PrecisionWarning",
-               "UsageError"],
+               "SettingsWarning", "UsageError"],
     "exploring": ["explore", "object_tables", "sense"],
     "figures": ["figure"],
     "recording": ["Recording", "read"],

@@ -62,6 +62,11 @@ class PrecisionWarning(UserWarning):
     """float32 holds the values of a column only coarsely; the message says what is lost."""
 
 
+class SettingsWarning(UserWarning):
+    """Settings that are not given have defaults, which are not those of the data; the message says
+    what to give."""
+
+
 class ConversionWarning(exceptions.DataConversionWarning):
     """Many rows were copied in order to convert them; reported once for each reason in a process."""
 

@@ -6,7 +6,7 @@ import warnings
 from . import _somato
 from ._inputs.numbers import at_least_one, number_of_threads
 from ._progress import shown
-from .errors import UsageError
+from .errors import SettingsWarning, UsageError
 from .recording import Recording
 
 
@@ -58,7 +58,8 @@ def sense(recording, *, settings=None, seed=None, objects=(), explorations=None,
 
     Args:
         recording: A recording with true values, which ``explore`` or ``read`` gave.
-        settings: A TOML file with tables of parameters, as for ``explore``; those of the sensors count.
+        settings: A TOML file with tables of parameters, as for ``explore``; those of the sensors count,
+            except ``true_values``, which is an argument. None: the default sensors.
         seed: Seed of the noise and of the differences between sensors; None: that of the recording.
         objects: Names of objects, or of materials in a recording without objects, whose explorations
             are taken in this order; empty: all.
@@ -70,6 +71,10 @@ def sense(recording, *, settings=None, seed=None, objects=(), explorations=None,
     Raises:
         UsageError: The recording has no true values, there is no such object, or an argument is wrong.
         DataError: Another program has changed the true values.
+
+    Warns:
+        SettingsWarning: Settings are not given, and the recording was made with other sensors than the
+            default ones: parameters that are not given are those of the default sensors.
     """
     if isinstance(objects, str):
         raise UsageError("sense(objects): a list of names is required, not a text")
@@ -78,7 +83,10 @@ def sense(recording, *, settings=None, seed=None, objects=(), explorations=None,
     threads = number_of_threads(threads, "sense")
     chosen = _somato.selected(recording._inner, list(objects), explorations)
     settings = None if settings is None else os.fspath(settings)
-    return Recording(_somato.sensed(chosen, settings, sensors, seed, threads))
+    played, note = _somato.sensed(chosen, settings, sensors, seed, threads)
+    if note:
+        warnings.warn(f"sense(settings): {note}", SettingsWarning, stacklevel=2)
+    return Recording(played)
 
 
 def object_tables() -> list[str]:

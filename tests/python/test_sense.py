@@ -1,5 +1,7 @@
 """The sensors of simulated bodies are played as in the program."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -12,11 +14,39 @@ def presses():
     return explore("hardness", explorations=2, seed=5, true_values=True)
 
 
+def readings(recording):
+    """Everything but the sources, which state that sensors are played."""
+    names = [channel["name"] for channel in recording.channels]
+    return (recording.channels, [recording.label(name).tolist() for name in ("material", "hardness", "trial")],
+            {name: [frames.tolist() for frames in recording[name]] for name in names})
+
+
 def test_the_settings_of_the_exploration_give_its_readings(presses):
-    assert sense(presses) == explore("hardness", explorations=2, seed=5)
-    assert sense(presses, seed=5, true_values=True) == presses
-    assert sense(presses, seed=6) != sense(presses)
+    assert readings(sense(presses)) == readings(explore("hardness", explorations=2, seed=5))
+    assert readings(sense(presses, seed=5, true_values=True)) == readings(presses)
+    assert readings(sense(presses, seed=6)) != readings(sense(presses))
     assert sense(presses, seed=6, threads=1) == sense(presses, seed=6, threads=3)
+
+
+def test_the_source_states_that_sensors_are_played(presses):
+    assert sense(presses).sources == [source + ", sensors played, seed 5" for source in presses.sources]
+
+
+def test_a_warning_says_that_default_sensors_are_not_those_of_the_exploration(tmp_path, presses):
+    settings = tmp_path / "settings.toml"
+    settings.write_text("[hardness_probe]\npotentiometer_bits = 12\nstroke = 60.0\n[simulation]\ntrue_values = true\n")
+    coarse = explore("hardness", explorations=1, settings=settings)
+    with pytest.warns(pysomato.SettingsWarning, match="other sensors.*give the settings of the exploration$") as caught:
+        played = sense(coarse, potentiometer_bits=12)
+    assert caught[0].filename == __file__
+    assert not any(channel["name"].startswith("true_") for channel in played.channels)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        again = sense(coarse, settings=settings)
+        kept = sense(coarse, settings=settings, true_values=True)
+        sense(presses)
+    assert [channel["name"] for channel in again.channels] == ["potentiometer"]
+    assert readings(kept) == readings(coarse)
 
 
 def test_sensors_are_played_as_by_the_program(somato, tmp_path, presses):

@@ -18,7 +18,8 @@ namespace somato {
 /// for the movements. Parameters of anything but sensors have no effect, except
 /// `hardness_probe.stroke`, which is the default path of the potentiometer.
 ///
-/// The result has the true channels only with `true_values` of these parameters.
+/// The result has the true channels only with `true_values` of these parameters. Its source states
+/// that the sensors are played, and their seed.
 ///
 /// Errors: kUsage for an exploration without true values and parameters out of range; kData for
 /// true values that `explore` does not write.

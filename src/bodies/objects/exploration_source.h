@@ -17,6 +17,11 @@ enum class SimulatedThings {
 std::string simulated_source(std::string_view body, std::string_view engine, std::uint64_t seed,
                              SimulatedThings things);
 
+/// The source of an exploration after sense() with this seed, such as "lucs2, simulated (MuJoCo
+/// 3.17.0), seed 1, sensors played, seed 2"; other things than built-in ones are still stated at
+/// its end. The seed replaces that of sensors that were played before.
+std::string played_source(std::string_view source, std::uint64_t seed);
+
 /// The source of explorations by a device, such as "device left_hand".
 std::string device_source(std::string_view name);
 

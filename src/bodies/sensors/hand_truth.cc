@@ -1,5 +1,7 @@
 #include "bodies/sensors/hand_truth.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -148,6 +150,7 @@ Result<void> HandTruth::read_contacts(const Exploration& exploration) {
   const std::span<const float> all = channel->frames.values();
   contacts_.reserve(all.size() / kContactElements);
   std::uint64_t step = 0;
+  std::vector<std::uint64_t> last;  // step with a contact of each taxel; 0: none
   for (std::size_t i = 0; i + kContactElements <= all.size(); i += kContactElements) {
     if (all[i + 1] == kNoTaxel) break;
     const auto steps = static_cast<double>(all[i]);
@@ -156,8 +159,15 @@ Result<void> HandTruth::read_contacts(const Exploration& exploration) {
       return bad_truth(*channel, "has other numbers than steps and taxels");
     }
     step += static_cast<std::uint64_t>(steps);
-    contacts_.push_back(
-        {step, static_cast<std::size_t>(taxel), whole_of(all[i + 2], all[i + 3], all[i + 4])});
+    const Contact contact{step, static_cast<std::size_t>(taxel),
+                          whole_of(all[i + 2], all[i + 3], all[i + 4])};
+    if (step == 0) return bad_truth(*channel, "has a row in step 0, but steps count from 1");
+    if (contact.taxel >= last.size()) last.resize(contact.taxel + 1, 0);
+    if (std::exchange(last[contact.taxel], step) == step) {
+      return bad_truth(*channel,
+                       fmt::format("has two rows of taxel {} in step {}", contact.taxel, step));
+    }
+    contacts_.push_back(contact);
   }
   return {};
 }

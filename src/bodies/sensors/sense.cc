@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/core/threads.h"
+#include "bodies/objects/exploration_source.h"
 #include "bodies/sensors/exact_values.h"
 #include "bodies/sensors/exploration_draws.h"
 #include "bodies/sensors/hand_sensors.h"
@@ -36,10 +37,10 @@ Result<Channel*> sensed_channel(Exploration& exploration, std::string_view name)
 }
 
 // The exploration with the channels that sense() returns.
-Exploration prepared(const Exploration& explored, bool with_truth) {
+Exploration prepared(const Exploration& explored, std::uint64_t seed, bool with_truth) {
   Exploration exploration;
   exploration.labels = explored.labels;
-  exploration.source = explored.source;
+  exploration.source = played_source(explored.source, seed);
   for (const Channel& channel : explored.channels) {
     if (with_truth || !detail::is_true_channel(channel)) exploration.channels.push_back(channel);
   }
@@ -185,7 +186,7 @@ Result<Exploration> sense(const Exploration& explored, const ExploringParameters
   if (!draws) return no_true_values();
   draws->seed = seed.value_or(draws->seed);
   const bool with_truth = parameters.simulation.true_values;
-  Exploration exploration = prepared(explored, with_truth);
+  Exploration exploration = prepared(explored, draws->seed, with_truth);
   if (detail::has_hand_truth(explored)) {
     SOMATO_TRY_VOID(sense_hand(explored, parameters, *draws, exploration));
   }

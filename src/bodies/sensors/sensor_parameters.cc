@@ -1,10 +1,15 @@
 #include "bodies/sensors/sensor_parameters.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "base/text/flag_hint.h"
 #include "bodies/sensors/exact_values.h"
+#include "somato/simulation/sense.h"
 
 namespace somato {
 namespace {
@@ -83,6 +88,7 @@ Result<ExploringParameters> read_sensor_parameters(const Table& given,
       return fail(unknown_name("parameter of a sensor", entry.name, entry.where, known));
     }
   }
+  parameters.simulation.true_values = false;
   SOMATO_TRY_VOID(read_section(given, parameters.simulation));
   SOMATO_TRY_VOID(read_section(given, parameters.texture_probe));
   SOMATO_TRY_VOID(read_section(given, parameters.hardness_probe));
@@ -101,6 +107,17 @@ Result<void> check_sensor_effect(const Table& given, const Exploration& explorat
                 entry.where, "omit it");
   }
   return {};
+}
+
+Result<std::string> note_of_other_sensors(const Exploration& explored) {
+  SOMATO_TRY(const Exploration by_default, sense(explored, {}));
+  std::vector<Channel> readings = explored.channels;
+  std::erase_if(readings, detail::is_true_channel);
+  if (by_default.channels == readings) return std::string();
+  return fmt::format(
+      "the recording was made with other sensors than the default ones, and parameters of sensors "
+      "that are not given have their defaults; give the settings of the exploration{}",
+      flag_hint("settings", "FILE"));
 }
 
 }  // namespace somato

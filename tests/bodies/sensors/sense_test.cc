@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bodies/objects/exploration_source.h"
+#include "bodies/sensors/sensor_parameters.h"
 #include "bodies/support/things.h"
 #include "somato/simulation/simulated_explorer.h"
 
@@ -50,6 +52,15 @@ const Matrix<float>& frames_of(const Exploration& exploration, const std::string
   return (*find_channel(exploration, name))->frames;
 }
 
+// The result of sense(), but with the source of the exploration: the source states that the sensors
+// are played.
+Exploration played_readings(const Exploration& explored, const ExploringParameters& parameters,
+                            std::optional<std::uint64_t> seed = {}) {
+  Exploration sensed = sense(explored, parameters, seed).value();
+  sensed.source = explored.source;
+  return sensed;
+}
+
 std::string sensing_error(const Exploration& exploration, const ExploringParameters& parameters) {
   const auto sensed = sense(exploration, parameters);
   return sensed ? "none" : to_string(sensed.error());
@@ -67,19 +78,19 @@ TEST_P(EveryBody, IsPlayedBitForBitWithTheSettingsOfTheExploration) {
   const Exploration kept = felt_by(GetParam(), parameters);
   const Exploration without = felt_by(GetParam(), plain(parameters));
   EXPECT_NE(kept, without);
-  EXPECT_EQ(sense(kept, plain(parameters)).value(), without);
-  EXPECT_EQ(sense(kept, parameters).value(), kept);
-  EXPECT_EQ(sense(kept, parameters, 3).value(), kept);
+  EXPECT_EQ(played_readings(kept, plain(parameters)), without);
+  EXPECT_EQ(played_readings(kept, parameters), kept);
+  EXPECT_EQ(played_readings(kept, parameters, 3), kept);
 }
 
 TEST_P(EveryBody, HasOtherNoiseWithAnotherSeedAndTheSameAgain) {
   const ExploringParameters parameters = keeping();
   const Exploration kept = felt_by(GetParam(), parameters);
   const Exploration other = sense(kept, parameters, 4).value();
-  EXPECT_NE(other, kept);
+  EXPECT_NE(other.channels, kept.channels);
   EXPECT_EQ(sense(kept, parameters, 4).value(), other);
   EXPECT_EQ(sense(other, parameters).value(), other);
-  EXPECT_EQ(sense(other, parameters, 3).value(), kept);
+  EXPECT_EQ(sense(other, parameters, 3).value().channels, kept.channels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sense, EveryBody,
@@ -98,8 +109,8 @@ TEST(Sense, SettingsOfSensorsWithoutInfluenceOnTheBodyAreAsInAnExploration) {
   parameters.texture_probe.microphone_noise = 3.0;
   parameters.texture_probe.ambient_sound = 6.0;
   parameters.texture_probe.adc_bits = 16;
-  EXPECT_EQ(sense(hand, parameters).value(), felt_by(ExploringBody::kLucs2, parameters));
-  EXPECT_EQ(sense(stroke, parameters).value(), felt_by(ExploringBody::kTexture, parameters));
+  EXPECT_EQ(played_readings(hand, parameters), felt_by(ExploringBody::kLucs2, parameters));
+  EXPECT_EQ(played_readings(stroke, parameters), felt_by(ExploringBody::kTexture, parameters));
 }
 
 TEST(Sense, IdealSensorsReadTheTrueValues) {
@@ -272,6 +283,16 @@ TEST(Sense, TrueValuesThatAnotherProgramChangedAreRefused) {
             }).find("other numbers than steps and taxels"),
             std::string::npos);
   EXPECT_NE(hand([](Exploration& e) {
+              channel_in(e, "true_contacts").frames(0, 0) = 0.0F;
+            }).find("has a row in step 0"),
+            std::string::npos);
+  EXPECT_NE(hand([](Exploration& e) {
+              Matrix<float>& rows = channel_in(e, "true_contacts").frames;
+              rows(0, 5) = 0.0F;
+              rows(0, 6) = rows(0, 1);
+            }).find("has two rows of taxel "),
+            std::string::npos);
+  EXPECT_NE(hand([](Exploration& e) {
               channel_in(e, "true_contacts").frames = {1, 3};
             }).find("has 1 frames of 3 elements"),
             std::string::npos);
@@ -302,6 +323,29 @@ TEST(Sense, TrueValuesThatAnotherProgramChangedAreRefused) {
                     [](Exploration& e) { channel_in(e, "true_draws").frames(0, 5) = -1.0F; })
                 .find("other numbers than counts"),
             std::string::npos);
+}
+
+TEST(Sense, TheSourceStatesThatSensorsArePlayed) {
+  const Exploration press = felt_by(ExploringBody::kHardness, keeping());
+  EXPECT_EQ(sense(press, {})->source, played_source(press.source, 3));
+  EXPECT_EQ(sense(press, {}, 8)->source, played_source(press.source, 8));
+  EXPECT_NE(sense(press, {}, 8)->source, press.source);
+}
+
+TEST(Sense, ANoteSaysThatTheDefaultSensorsAreNotThoseOfTheExploration) {
+  const ExploringParameters defaults = keeping();
+  ExploringParameters others = defaults;
+  others.hardness_probe.potentiometer_bits = 12;
+  others.simulation.joint_noise = 2.0;
+  others.texture_probe.sensitivity = 40.0;
+  for (const ExploringBody body : {ExploringBody::kHardness, ExploringBody::kAllSenses}) {
+    const Exploration explored = felt_by(body, defaults);
+    EXPECT_EQ(note_of_other_sensors(explored).value(), "");
+    EXPECT_EQ(note_of_other_sensors(sense(explored, defaults, 8).value()).value(), "");
+    EXPECT_NE(note_of_other_sensors(felt_by(body, others)).value().find("other sensors"),
+              std::string::npos);
+  }
+  EXPECT_FALSE(note_of_other_sensors(felt_by(ExploringBody::kHardness, {})));
 }
 
 TEST(Sense, ParametersOutOfRangeAreRefused) {

@@ -46,6 +46,20 @@ TEST(SensorParameters, GoToTheirTables) {
   EXPECT_EQ(read->simulation.sensor_noise, SimulationParameters{}.sensor_noise);
 }
 
+// The settings of every exploration that can be played have true_values = true.
+TEST(SensorParameters, KeepTrueValuesOnlyIfGiven) {
+  ExploringParameters of_file;
+  of_file.simulation.true_values = true;
+  of_file.simulation.joint_noise = 0.5;
+  const auto read = read_sensor_parameters({}, of_file);
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_FALSE(read->simulation.true_values);
+  EXPECT_EQ(read->simulation.joint_noise, 0.5);
+  const auto given = read_sensor_parameters(table_with("true_values", Value{true}), of_file);
+  ASSERT_TRUE(given) << to_string(given.error());
+  EXPECT_TRUE(given->simulation.true_values);
+}
+
 TEST(SensorParameters, UnknownNamesAndValuesOutOfRangeAreRefused) {
   EXPECT_NE(to_string(read_sensor_parameters(table_with("sensor_nose", Value{0.5}), {}).error())
                 .find("did you mean 'sensor_noise'"),
