@@ -97,6 +97,10 @@ std::optional<ClaimConflict> conflict_between(const MetClaims& a, const MetClaim
   return conflict.deviations < kConflictingFrom ? std::optional(conflict) : std::nullopt;
 }
 
+bool is_met_or_open(ClaimVerdict verdict) {
+  return verdict != ClaimVerdict::kFails && verdict != ClaimVerdict::kUndecided;
+}
+
 // Adds the pairs of a further point; recordings of different points are different.
 void add_outcome(const ClaimOutcome& more, std::size_t first_recording, ClaimOutcome& all) {
   all.values.insert(all.values.end(), more.values.begin(), more.values.end());
@@ -201,8 +205,8 @@ NotFailing not_failing(const SweepResults& results) {
   for (std::size_t claim = 0; claim < results.sweep.claims.size(); ++claim) {
     const auto outcome = pooled_outcome(results, claim);
     if (!outcome) continue;
-    if (outcome->verdict() != ClaimVerdict::kFails) ++counts.first;
-    if (verdict_as_written(*outcome) != ClaimVerdict::kFails) ++counts.as_written;
+    if (is_met_or_open(outcome->verdict())) ++counts.first;
+    if (is_met_or_open(verdict_as_written(*outcome))) ++counts.as_written;
   }
   return counts;
 }

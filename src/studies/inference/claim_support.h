@@ -85,8 +85,8 @@ std::vector<ClaimConflict> conflicts_of(const std::vector<MetClaims>& met,
 /// mean number of claims that hold in a pair.
 std::vector<double> claims_met(const SweepResults& results);
 
-/// The number of claims whose pooled outcome, by the first or by the second measure, is not
-/// ClaimVerdict::kFails.
+/// The number of claims whose pooled outcome, by the first or by the second measure, is neither
+/// ClaimVerdict::kFails nor kUndecided.
 struct NotFailing {
   std::size_t first = 0;
   std::size_t as_written = 0;

@@ -102,7 +102,7 @@ TEST_F(Sweep, InfersSettingsFromObservedValues) {
                       "--targets", "targets.toml", "--out",      "out"};
   const std::string shown = output_of(command);
   for (const char* said : {"press, other: 9 draws with 2 pairs each", "1 target", "Five are named.",
-                           "with 3 settings of the posterior", "out/inference.json"}) {
+                           "of 3 settings of the posterior", "out/inference.json"}) {
     EXPECT_NE(shown.find(said), std::string::npos) << said << "\n is not in\n" << shown;
   }
   const Json json = Json::parse(read("out/inference.json"));
