@@ -67,7 +67,7 @@ def test_a_pickle_of_an_earlier_version_lacks_parameters(X, labels):
             del estimator.__dict__[name]
         loaded = pickle.loads(pickle.dumps(estimator))
         assert clone(loaded).get_params()["size"] == "by_number"
-        assert loaded.partial_fit(X).refine_relevance_rate == 0.03
+        assert loaded.refine_relevance_rate == 0.03
 
 
 def test_a_pickle_contains_the_model_file(X, tmp_path):
