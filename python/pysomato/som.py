@@ -309,8 +309,8 @@ class SOM(MapAnalysis, MapDrawing, MapFiles, MapLabels, ClassNamePrefixFeaturesO
     def relevances_(self) -> np.ndarray:
         """How much each column counts in the distance, 1 on average; float64 of (columns,).
 
-        The distance of a row x from weights w is sqrt(sum(relevances_ * (x - w)**2)), and with
-        ``similarity="manhattan"`` sum(relevances_ * abs(x - w)). Only of a map of ``refine="grlvq"``.
+        The distance of a row x from weights w is ``sqrt(sum(relevances_ * (x - w)**2))``, and with
+        ``similarity="manhattan"`` ``sum(relevances_ * abs(x - w))``. Only of a map of ``refine="grlvq"``.
         """
         check_fitted(self, "map_")
         if self.map_.relevances is None:
