@@ -26,9 +26,9 @@ def claim(**changes):
 
 def written(**changes):
     made = {"judged_by": "central_range", "metric": "classes_separated", "published": 5, "at_least": None,
-            "at_most": None, "bounds_included": True, "verdict": "compatible", "reason": "", "share": 0.75, "mean": 5.25, "sd": 0.5,
-            "by_chance": None, "chance_share": None, "values": [5, 5, 5, 6], "range": [4, 6], "chance_range": [6, 8],
-            "recordings": [0, 0, 1, 1]}
+            "at_most": None, "bounds_included": True, "verdict": "compatible", "reason": "", "share": 0.75,
+            "mean": 5.25, "sd": 0.5, "by_chance": None, "chance_share": None, "values": [5, 5, 5, 6], "range": [4, 6],
+            "chance_range": [6, 8], "recordings": [0, 0, 1, 1]}
     return {**made, **changes}
 
 

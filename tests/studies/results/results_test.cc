@@ -259,8 +259,8 @@ TEST(Results, HaveTheSecondMeasureOfAClaim) {
   written.erase("sd");
   EXPECT_EQ(written, Json::parse(R"({"judged_by": "central_range", "metric": "exceptions_around",
       "published": 1.0, "at_least": 0.0, "at_most": null, "bounds_included": true,
-      "verdict": "cannot be decided here", "reason": "2 pairs; 20 are needed", "share": 1.0, "mean": 1.0, "by_chance": 3.5,
-      "chance_share": 0.125, "values": [0.0, 2.0], "range": [0.0, 2.0],
+      "verdict": "cannot be decided here", "reason": "2 pairs; 20 are needed", "share": 1.0,
+      "mean": 1.0, "by_chance": 3.5, "chance_share": 0.125, "values": [0.0, 2.0], "range": [0.0, 2.0],
       "chance_range": [2.0, 5.0], "recordings": [0, 1]})"));
 }
 
