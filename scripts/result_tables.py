@@ -45,6 +45,11 @@ def percent(share):
     return "–" if share is None else f"{100 * share:.0f} %"
 
 
+def measured(claim):
+    """Mean and standard deviation, of which a pair without a value leaves none."""
+    return "–" if claim["mean"] is None else f"{claim['mean']:.2f} ± {claim['sd']:.2f}"
+
+
 def spread(values, digits=3):
     deviation = statistics.stdev(values) if len(values) > 1 else 0.0
     return f"{statistics.mean(values):.{digits}f} ± {deviation:.{digits}f}"
@@ -112,14 +117,17 @@ def ends(values):
 
 def written_text(second):
     """What the second measure of a claim found."""
+    if not second["values"]:
+        return "–"
     if second["judged_by"] == "central_range":
         return f"{number(second['published'])} in {ends(second['range'])}; by chance {ends(second['chance_range'])}"
     if second["judged_by"] == "mean":
-        sides = [f"{sign} {number(bound)}" for sign, bound in ((">", second["at_least"]), ("<", second["at_most"]))
+        signs = ("≥", "≤") if second["bounds_included"] else (">", "<")
+        sides = [f"{sign} {number(bound)}" for sign, bound in zip(signs, (second["at_least"], second["at_most"]))
                  if bound is not None]
         return f"mean {rounded(second['mean'])} ({ends(second['range'])}) {' and '.join(sides)}"
-    return (f"`{second['metric']}` {range_text(second)}{limit_text(second)}: {second['mean']:.2f} ± "
-            f"{second['sd']:.2f}, {percent(second['share'])}; by chance {rounded(second['by_chance'])}, "
+    return (f"`{second['metric']}` {range_text(second)}{limit_text(second)}: {measured(second)}, "
+            f"{percent(second['share'])}; by chance {rounded(second['by_chance'])}, "
             f"{percent(second['chance_share'])}")
 
 
@@ -141,7 +149,7 @@ def claim_table(claims):
     heads = ["claim", "paper", "measured by", "published", "measured", "by chance", "holds in",
              "chance holds in", "verdict"]
     rows = [[f"{subject(c)}: {cell(c['text'])}", c["paper"] or "ours", bounds(c),
-             number(c["published"]), f"{c['mean']:.2f} ± {c['sd']:.2f}", rounded(c["by_chance"]),
+             number(c["published"]), measured(c), rounded(c["by_chance"]),
              f"{percent(c['share'])} of {len(c['values'])}", percent(c["chance_share"]), verdict_text(c)]
             for c in claims]
     if has_written(claims):

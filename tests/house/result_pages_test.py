@@ -26,9 +26,9 @@ def claim(**changes):
 
 def written(**changes):
     made = {"judged_by": "central_range", "metric": "classes_separated", "published": 5, "at_least": None,
-            "at_most": None, "verdict": "compatible", "reason": "", "share": 0.75, "mean": 5.25, "sd": 0.5,
-            "by_chance": None, "chance_share": None, "values": [5, 5, 5, 6], "range": [4, 6], "chance_range": [6, 8],
-            "recordings": [0, 0, 1, 1]}
+            "at_most": None, "bounds_included": True, "verdict": "compatible", "reason": "", "share": 0.75,
+            "mean": 5.25, "sd": 0.5, "by_chance": None, "chance_share": None, "values": [5, 5, 5, 6], "range": [4, 6],
+            "chance_range": [6, 8], "recordings": [0, 0, 1, 1]}
     return {**made, **changes}
 
 
@@ -89,7 +89,7 @@ class Claims(unittest.TestCase):
         rows = result_tables.claim_table([
             claim(as_written=written(), contradicted_by="Fig. 8"), claim(limit=0.877),
             claim(as_written=written(judged_by="mean", published=None, at_least=0, range=[-0.25, 1.126], mean=0.4,
-                                     verdict="not determined")),
+                                     bounds_included=False, verdict="not determined")),
             claim(as_written=written(judged_by="share_of_pairs", at_most=1, limit=3, by_chance=3.5, chance_share=0.01,
                                      metric="exceptions_around", verdict="cannot be decided here",
                                      reason="4 pairs; 20 are needed"))]).splitlines()
@@ -101,6 +101,34 @@ class Claims(unittest.TestCase):
             ["`exceptions_around` ≤ 1; best possible 3: 5.25 ± 0.50, 75 %; by chance 3.5, 1 %",
              "cannot be decided here: 4 pairs; 20 are needed |"]])
         self.assertIn("`classes_separated` 4 to 6, train = test; best possible 0.88", rows[3])
+
+    def test_a_mean_says_whether_its_bound_is_included(self):
+        mean = written(judged_by="mean", published=None, at_least=0, range=[0, 0], mean=0)
+        self.assertEqual(result_tables.written_text(mean), "mean 0 (0 to 0) ≥ 0")
+        self.assertEqual(result_tables.written_text({**mean, "at_least": None, "at_most": 0.5}),
+                         "mean 0 (0 to 0) ≤ 0.5")
+        self.assertEqual(result_tables.written_text({**mean, "at_most": 0.5, "bounds_included": False}),
+                         "mean 0 (0 to 0) > 0 and < 0.5")
+
+    def test_a_pair_without_a_value_leaves_no_mean(self):
+        missing = {"mean": None, "sd": None, "range": None, "values": [5, 5, 5, None]}
+        row = result_tables.claim_table([claim(**missing)]).splitlines()[2]
+        self.assertEqual(row.split(" | ")[3:6], ["5", "–", "7.5"])
+        self.assertEqual(result_tables.written_text(written(judged_by="share_of_pairs", at_most=6, **missing)),
+                         "`classes_separated` ≤ 6: –, 75 %; by chance –, –")
+        self.assertEqual(result_tables.written_text(written(judged_by="mean", at_least=0, **missing)),
+                         "mean – (–) ≥ 0")
+
+    def test_a_second_measure_that_was_not_measured_is_not_the_first(self):
+        reason = "the metric 'exceptions_around' was not measured"
+        second = written(judged_by="share_of_pairs", metric="exceptions_around", at_most=1, values=[], mean=None,
+                         sd=None, share=0, range=None, chance_range=None, recordings=[], reason=reason,
+                         verdict="cannot be decided here")
+        self.assertEqual(result_tables.written_cells(claim(as_written=second)),
+                         ["–", f"cannot be decided here: {reason}"])
+        counts = result_tables.written_verdict_counts([claim(as_written=second)])
+        self.assertIn("*mostly*: 0", counts)
+        self.assertIn("*cannot be decided here*: 1", counts)
 
     def test_verdicts_as_written_are_counted_with_those_of_the_other_claims(self):
         counts = result_tables.written_verdict_counts([claim(as_written=written()), claim(), claim(verdict="fails")])

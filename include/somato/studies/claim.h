@@ -66,6 +66,9 @@ struct Claim {
   std::string question = {};  ///< The question it belongs to, or empty; not declared.
   /// By which its outcome is judged; another one only in what as_written() returns. Not declared.
   ClaimCriterion criterion = ClaimCriterion::kShareOfPairs;
+  /// Whether an interval of the mean that touches a bound is within it. False in what as_written()
+  /// returns for kMean if the key `judged_at_least` or `judged_at_most` is given. Not declared.
+  bool bounds_included = true;
 
   /// The claim by its second measure: with `judged_by` as its criterion, and with the metric and
   /// the bounds of the keys `judged_...` where they are given. Without a published value if it has
@@ -76,8 +79,8 @@ struct Claim {
   bool is_of_paper() const { return !paper.empty(); }
   /// Whether a value is within the bounds (to 1e-9, for rounding); NaN and infinity are not.
   bool is_met_by(double value) const;
-  /// The bounds as text: "at least 4", "at most 6", "between 4 and 6"; of a mean "above 4"; for
-  /// kCentralRange "range with 5".
+  /// The bounds as text: "at least 4", "at most 6", "between 4 and 6"; of a mean whose bounds are
+  /// not included "above 4"; for kCentralRange "range with 5".
   std::string bounds() const;
 
   /// Whether it is about the difference of two metrics.
@@ -108,7 +111,7 @@ enum class ClaimVerdict {
   kCompatible,        ///< The published value is in the central range, narrower than by chance.
   kCompatibleByChanceToo,  ///< It is in the central range, which is not narrower than by chance.
   kMostly,                 ///< In at least kMostlyFrom of the pairs.
-  kUndetermined,           ///< The interval of the mean contains a bound.
+  kUndetermined,           ///< The interval of the mean is on both sides of a bound, or touches it.
   kFails,
   kUndecided,  ///< Fewer than kLeastPairs pairs, or explorations that do not permit a decision.
 };
@@ -149,7 +152,8 @@ struct ClaimOutcome {
   /// The best value of the metric that the numbers of the explored individuals permit at all: the
   /// metric `_greatest` or `_least`, if there is one. Empty for comparisons.
   std::optional<double> limit = {};
-  /// The outcome of claim.as_written(): one, or none without such a measure or its metric.
+  /// The outcome of claim.as_written(): one, which cannot be decided if its metric was not
+  /// measured, or none without such a measure.
   std::vector<ClaimOutcome> as_written = {};
 
   /// The share of pairs for which it holds; a pair without a finite value is one of the others.
@@ -158,10 +162,14 @@ struct ClaimOutcome {
   /// recording are not independent); for others the central range of the values. Nothing if a value
   /// is missing or there are too few.
   std::optional<ClaimRange> range() const;
+  /// For kMean the mean of the recordings' means, which is the centre of range(), if the recordings
+  /// are known; otherwise the mean over the pairs. NaN without pairs.
+  double mean() const;
   ClaimVerdict verdict() const;
   /// The reason why it cannot be decided here, or empty.
   std::string reason() const;
-  /// The measured quantity, the bounds, the mean, the ranges and the share, as text.
+  /// The measured quantity and the bounds and, if there are values, the mean, the ranges and the
+  /// share, as text.
   std::string summary() const;
 };
 

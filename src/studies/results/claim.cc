@@ -40,14 +40,6 @@ Result<void> check_second_measure(const Claim& claim) {
   return {};
 }
 
-std::string bounds_of_mean(const Claim& claim) {
-  if (claim.at_least && claim.at_most) {
-    return fmt::format("between {:g} and {:g}", *claim.at_least, *claim.at_most);
-  }
-  return claim.at_least ? fmt::format("above {:g}", *claim.at_least)
-                        : fmt::format("below {:g}", claim.at_most.value_or(0.0));
-}
-
 Result<Claim> read_claim(const Table& table) {
   auto claim = read_parameters<Claim>(table);
   if (!claim) return claim;
@@ -94,6 +86,7 @@ std::optional<Claim> Claim::as_written() const {
   if (has_judged_bound(*this)) {
     second.at_least = judged_at_least;
     second.at_most = judged_at_most;
+    second.bounds_included = judged_by != ClaimCriterion::kMean;
   }
   second.judged_metric.clear();
   second.judged_at_least.reset();
@@ -110,10 +103,9 @@ std::string Claim::bounds() const {
   if (criterion == ClaimCriterion::kCentralRange) {
     return fmt::format("range with {:g}", published.value_or(0.0));
   }
-  if (criterion == ClaimCriterion::kMean) return bounds_of_mean(*this);
   if (at_least && at_most) return fmt::format("between {:g} and {:g}", *at_least, *at_most);
-  return at_least ? fmt::format("at least {:g}", *at_least)
-                  : fmt::format("at most {:g}", at_most.value_or(0.0));
+  if (at_least) return fmt::format("{} {:g}", bounds_included ? "at least" : "above", *at_least);
+  return fmt::format("{} {:g}", bounds_included ? "at most" : "below", at_most.value_or(0.0));
 }
 
 std::string Claim::other() const {
@@ -165,10 +157,10 @@ const Declarations<Claim>& Claim::declarations() {
           .add("judged_metric", &P::judged_metric, "", Range::any(),
                "Metric of the second measure; empty: the same one.")
           .add("judged_at_least", &P::judged_at_least, "", Range::any(),
-               "Lower bound of the second measure. If neither of its bounds is given, they are "
-               "those of the claim.")
+               "Lower bound of the second measure, which the interval of a mean must not touch. If "
+               "neither of its bounds is given, they are those of the claim, which are included.")
           .add("judged_at_most", &P::judged_at_most, "", Range::any(),
-               "Upper bound of the second measure.")
+               "Upper bound of the second measure, which the interval of a mean must not touch.")
           .add("contradicted_by", &P::contradicted_by, "", Range::any(),
                "Figure of the paper that contradicts the claim, with what it shows; empty: none.");
   return declared;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string_view>
 
@@ -75,7 +76,8 @@ ClaimVerdict verdict_by_range(const ClaimOutcome& outcome) {
   return narrower ? ClaimVerdict::kCompatible : ClaimVerdict::kCompatibleByChanceToo;
 }
 
-// A bound itself is no difference: an interval that only consists of it decides nothing.
+// Where the bounds are not included, the bound itself is no difference: an interval that only
+// consists of it decides nothing.
 ClaimVerdict verdict_by_mean(const ClaimOutcome& outcome) {
   const Claim& claim = outcome.claim;
   const ClaimRange range = outcome.range().value();
@@ -84,8 +86,11 @@ ClaimVerdict verdict_by_mean(const ClaimOutcome& outcome) {
       (claim.at_most && above(range.low, *claim.at_most))) {
     return ClaimVerdict::kFails;
   }
-  const bool holds = (!claim.at_least || above(range.low, *claim.at_least)) &&
-                     (!claim.at_most || above(*claim.at_most, range.high));
+  const auto within = [&](double greater, double less) {
+    return claim.bounds_included ? !above(less, greater) : above(greater, less);
+  };
+  const bool holds = (!claim.at_least || within(range.low, *claim.at_least)) &&
+                     (!claim.at_most || within(*claim.at_most, range.high));
   return holds ? ClaimVerdict::kHolds : ClaimVerdict::kUndetermined;
 }
 
@@ -114,6 +119,14 @@ double ClaimOutcome::share() const {
 std::optional<ClaimRange> ClaimOutcome::range() const {
   return claim.criterion == ClaimCriterion::kMean ? interval_of_mean(values, recordings)
                                                   : central_range(values);
+}
+
+double ClaimOutcome::mean() const {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto of_recordings = claim.criterion == ClaimCriterion::kMean
+                                 ? mean_of_recordings(values, recordings)
+                                 : std::nullopt;
+  return of_recordings.value_or(Metric{claim.metric, values}.mean());
 }
 
 std::string ClaimOutcome::reason() const {
@@ -149,9 +162,9 @@ ClaimVerdict ClaimOutcome::verdict() const {
 
 std::string ClaimOutcome::summary() const {
   const bool of_mean = claim.criterion == ClaimCriterion::kMean;
-  const Metric all{claim.metric, values};
-  return fmt::format("{} {}: mean {:.3f}, {}{}{:.0f} % of the pairs", claim.measured(),
-                     claim.bounds(), all.mean(),
+  const std::string bounds = fmt::format("{} {}", claim.measured(), claim.bounds());
+  if (values.empty()) return bounds;
+  return fmt::format("{}: mean {:.3f}, {}{}{:.0f} % of the pairs", bounds, mean(),
                      range_words(of_mean ? "interval of the mean" : "central 90 %", range()),
                      range_words("by chance", chance_range), 100.0 * share());
 }

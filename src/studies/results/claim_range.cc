@@ -83,6 +83,12 @@ std::optional<ClaimRange> central_range(const std::vector<double>& values) {
   return central_range(counted);
 }
 
+std::optional<double> mean_of_recordings(const std::vector<double>& values,
+                                         const std::vector<std::size_t>& recordings) {
+  if (values.empty() || values.size() != recordings.size() || !all_finite(values)) return {};
+  return Metric{{}, means_of_recordings(values, recordings)}.mean();
+}
+
 std::optional<ClaimRange> interval_of_mean(const std::vector<double>& values,
                                            const std::vector<std::size_t>& recordings) {
   if (values.size() != recordings.size() || !all_finite(values)) return {};

@@ -17,10 +17,14 @@ std::optional<ClaimRange> central_range(const Distribution& values);
 /// The same of a list; nothing if a value is not finite.
 std::optional<ClaimRange> central_range(const std::vector<double>& values);
 
-/// The two-sided 95 % interval of a mean by Student's t, from the means of the recordings, which
-/// are independent, unlike the pairs of one recording. `recordings` has the number of the recording
-/// of each value. Nothing with fewer than kLeastRecordings recordings, with a value that is not
-/// finite, or if the sizes differ.
+/// The mean of the means of the recordings. `recordings` has the number of the recording of each
+/// value. Nothing without values, with one that is not finite, or if the sizes differ.
+std::optional<double> mean_of_recordings(const std::vector<double>& values,
+                                         const std::vector<std::size_t>& recordings);
+
+/// The two-sided 95 % interval of this mean by Student's t: the recordings are independent, unlike
+/// the pairs of one recording. Nothing in the same cases, and with fewer than kLeastRecordings
+/// recordings.
 std::optional<ClaimRange> interval_of_mean(const std::vector<double>& values,
                                            const std::vector<std::size_t>& recordings);
 

@@ -116,8 +116,8 @@ Json measured_json(const ClaimOutcome& outcome) {
   Json json = {{"verdict", choice_name(outcome.verdict())},
                {"reason", outcome.reason()},
                {"share", outcome.share()},
-               {"mean", values.mean()},
-               {"sd", values.standard_deviation()},
+               {"mean", outcome.mean()},
+               {"sd", outcome.values.empty() ? Json(nullptr) : Json(values.standard_deviation())},
                {"by_chance", optional_json(outcome.by_chance)},
                {"chance_share", optional_json(outcome.chance_share)},
                {"values", outcome.values}};
@@ -128,11 +128,10 @@ Json measured_json(const ClaimOutcome& outcome) {
 // The second measure of a claim.
 Json as_written_json(const ClaimOutcome& outcome) {
   const Claim& claim = outcome.claim;
-  Json json = {{"judged_by", choice_name(claim.criterion)},
-               {"metric", claim.metric},
-               {"published", optional_json(claim.published)},
-               {"at_least", optional_json(claim.at_least)},
-               {"at_most", optional_json(claim.at_most)}};
+  Json json = {
+      {"judged_by", choice_name(claim.criterion)},   {"metric", claim.metric},
+      {"published", optional_json(claim.published)}, {"at_least", optional_json(claim.at_least)},
+      {"at_most", optional_json(claim.at_most)},     {"bounds_included", claim.bounds_included}};
   json.update(measured_json(outcome));
   json["range"] = range_json(outcome.range());
   json["chance_range"] = range_json(outcome.chance_range);

@@ -104,11 +104,21 @@ std::optional<ClaimOutcome> judge_once(const Claim& claim, const std::vector<Par
   return outcome;
 }
 
+// The outcome of a claim about systems that were run, but without its metric.
+ClaimOutcome not_measured(const Claim& claim, const std::vector<PartResults>& parts) {
+  const ProtocolResults* system =
+      find_protocol(find_part(parts, claim.question, claim.system, claim.variation), claim);
+  const bool has_first = system && system->find_metric(claim.metric);
+  const std::string& missing = has_first ? claim.other_metric() : claim.metric;
+  return {claim, {}, {}, {}, "the metric '" + missing + "' was not measured"};
+}
+
 std::optional<ClaimOutcome> judge(const Claim& claim, const std::vector<PartResults>& parts) {
   auto outcome = judge_once(claim, parts);
   if (!outcome) return outcome;
   if (const auto second = claim.as_written()) {
-    if (auto judged = judge_once(*second, parts)) outcome->as_written.push_back(std::move(*judged));
+    auto judged = judge_once(*second, parts);
+    outcome->as_written.push_back(judged ? std::move(*judged) : not_measured(*second, parts));
   }
   return outcome;
 }

@@ -57,6 +57,10 @@ std::string CheckedJson::text() const {
   return expect(value_.is_string(), "a text") ? value_.get<std::string>() : std::string();
 }
 
+bool CheckedJson::truth() const {
+  return expect(value_.is_boolean(), "true or false") && value_.get<bool>();
+}
+
 double CheckedJson::number() const {
   if (!expect(value_.is_number(), "a number")) return 0.0;
   const auto number = value_.get<double>();

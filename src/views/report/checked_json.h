@@ -32,6 +32,7 @@ class CheckedJson {
   CheckedJson at(const std::string& key) const;
 
   std::string text() const;
+  bool truth() const;
   /// A number that is finite.
   double number() const;
   /// The same, with null for NaN.

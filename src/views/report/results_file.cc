@@ -327,6 +327,7 @@ ClaimOutcome as_written_of(const CheckedJson& json, const Claim& claim) {
   outcome.claim.published = json.at("published").number_or_nothing();
   outcome.claim.at_least = json.at("at_least").number_or_nothing();
   outcome.claim.at_most = json.at("at_most").number_or_nothing();
+  outcome.claim.bounds_included = json.at("bounds_included").truth();
   json.at("recordings").each([&](const CheckedJson& recording) {
     outcome.recordings.push_back(static_cast<std::size_t>(recording.whole(kAny)));
   });

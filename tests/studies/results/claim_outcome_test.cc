@@ -130,10 +130,47 @@ TEST(ClaimVerdict, OfAMeanIsThatOfItsInterval) {
   EXPECT_EQ(below.verdict(), ClaimVerdict::kFails);
 }
 
+// "At least as many" and "not more" are true of equal maps.
+TEST(ClaimVerdict, OfAMeanAtABoundThatIsIncludedHolds) {
+  ClaimOutcome equal = differences({0, 0, 0, 0}, 0.0);
+  EXPECT_EQ(equal.verdict(), ClaimVerdict::kHolds);
+  equal.claim.at_most = 0.0;
+  EXPECT_EQ(equal.verdict(), ClaimVerdict::kHolds);
+  equal.claim.at_least.reset();
+  EXPECT_EQ(equal.verdict(), ClaimVerdict::kHolds);
+  EXPECT_EQ(differences({-1, 1, -1, 1}, 0.0).verdict(), ClaimVerdict::kUndetermined);
+  EXPECT_EQ(differences({-0.5, -0.5, -0.5, -0.5}, 0.0).verdict(), ClaimVerdict::kFails);
+}
+
 // No difference in any pair is not a better one.
-TEST(ClaimVerdict, OfAMeanAtItsBoundIsNotDetermined) {
-  EXPECT_EQ(differences({0, 0, 0, 0}, 0.0).verdict(), ClaimVerdict::kUndetermined);
-  EXPECT_EQ(differences({0.5, 0.5, 0.5, 0.5}, 0.0).verdict(), ClaimVerdict::kHolds);
+TEST(ClaimVerdict, OfAMeanAtABoundThatIsNotIncludedIsNotDetermined) {
+  ClaimOutcome equal = differences({0, 0, 0, 0}, 0.0);
+  equal.claim.bounds_included = false;
+  EXPECT_EQ(equal.verdict(), ClaimVerdict::kUndetermined);
+  equal.claim.at_least.reset();
+  equal.claim.at_most = 0.0;
+  EXPECT_EQ(equal.verdict(), ClaimVerdict::kUndetermined);
+  ClaimOutcome better = differences({0.5, 0.5, 0.5, 0.5}, 0.0);
+  better.claim.bounds_included = false;
+  EXPECT_EQ(better.verdict(), ClaimVerdict::kHolds);
+  better.claim.at_least = 0.6;
+  EXPECT_EQ(better.verdict(), ClaimVerdict::kFails);
+}
+
+// The mean of 15 pairs of 1 and five of 5 is 2; that of the two recordings is 3.
+TEST(ClaimOutcome, MeanIsTheCentreOfTheIntervalWithUnequalPairs) {
+  ClaimOutcome outcome = differences({1, 1, 1, 5}, 0.0);
+  for (std::size_t i = 0; i < 20; ++i) outcome.recordings[i] = i < 15 ? 3 : 8;
+  EXPECT_DOUBLE_EQ(outcome.mean(), 3.0);
+  EXPECT_NEAR((outcome.range()->low + outcome.range()->high) / 2.0, 3.0, 1e-9);
+  EXPECT_NE(outcome.summary().find("mean 3.000"), std::string::npos);
+  outcome.claim.criterion = ClaimCriterion::kShareOfPairs;
+  EXPECT_DOUBLE_EQ(outcome.mean(), 2.0);
+  outcome.claim.criterion = ClaimCriterion::kMean;
+  outcome.recordings.clear();
+  EXPECT_DOUBLE_EQ(outcome.mean(), 2.0);
+  outcome.values.clear();
+  EXPECT_TRUE(std::isnan(outcome.mean()));
 }
 
 TEST(ClaimVerdict, OfAMeanNeedsTwoRecordingsAndAllPairs) {
@@ -188,10 +225,14 @@ TEST(ClaimOutcome, HasASummary) {
       "to 30.00, 100 % of the pairs");
   outcome = differences({2, 2, 2, 2}, 0.0);
   outcome.claim.metric = "accuracy";
-  EXPECT_EQ(outcome.summary(),
-            "accuracy above 0: mean 2.000, interval of the mean 2.00 to 2.00, 100 % of the pairs");
+  EXPECT_EQ(
+      outcome.summary(),
+      "accuracy at least 0: mean 2.000, interval of the mean 2.00 to 2.00, 100 % of the pairs");
   outcome.recordings.clear();
+  outcome.claim.bounds_included = false;
   EXPECT_EQ(outcome.summary(), "accuracy above 0: mean 2.000, 100 % of the pairs");
+  outcome.values.clear();
+  EXPECT_EQ(outcome.summary(), "accuracy above 0");
 }
 
 TEST(ReasonUndecidable, IsABoundAboveTheExplorationsOrAThingThatIsNotThere) {

@@ -51,6 +51,15 @@ TEST(IntervalOfMean, IsThatOfTheMeansOfTheRecordings) {
   EXPECT_EQ(interval_of_mean({5, 5, 5}, {0, 1, 2}), (ClaimRange{5, 5}));
 }
 
+// The same two means; one recording has a mean as well.
+TEST(MeanOfRecordings, CountsEachRecordingOnce) {
+  EXPECT_EQ(mean_of_recordings({1, 3, 4, 4, 4}, {7, 7, 2, 2, 2}), 3.0);
+  EXPECT_EQ(mean_of_recordings({1, 2, 6}, {4, 4, 4}), 3.0);
+  EXPECT_FALSE(mean_of_recordings({}, {}));
+  EXPECT_FALSE(mean_of_recordings({1, std::nan("")}, {0, 1}));
+  EXPECT_FALSE(mean_of_recordings({1, 2}, {0}));
+}
+
 TEST(IntervalOfMean, NeedsTwoRecordingsAndAllValues) {
   EXPECT_FALSE(interval_of_mean({}, {}));
   EXPECT_FALSE(interval_of_mean({1, 2, 3}, {4, 4, 4}));

@@ -219,6 +219,7 @@ TEST(Claim, HasASecondMeasureOnlyIfAKeyDeclaresIt) {
   claim.judged_by = ClaimCriterion::kMean;
   EXPECT_EQ(claim.as_written()->criterion, ClaimCriterion::kMean);
   EXPECT_EQ(claim.as_written()->at_least, 0.9);
+  EXPECT_TRUE(claim.as_written()->bounds_included);
   claim.judged_metric = "exceptions_around";
   claim.judged_at_most = 1.0;
   const Claim second = claim.as_written().value();
@@ -226,7 +227,10 @@ TEST(Claim, HasASecondMeasureOnlyIfAKeyDeclaresIt) {
   EXPECT_FALSE(second.published);
   EXPECT_FALSE(second.at_least);
   EXPECT_EQ(second.at_most, 1.0);
+  EXPECT_FALSE(second.bounds_included);
   EXPECT_FALSE(second.as_written());
+  claim.judged_by = ClaimCriterion::kShareOfPairs;
+  EXPECT_TRUE(claim.as_written()->bounds_included);
   EXPECT_EQ(claim.criterion, ClaimCriterion::kShareOfPairs);
 }
 
@@ -239,11 +243,15 @@ TEST(Claim, SaysItsBounds) {
   claim.at_least.reset();
   EXPECT_EQ(claim.bounds(), "at most 6.5");
   claim.criterion = ClaimCriterion::kMean;
+  EXPECT_EQ(claim.bounds(), "at most 6.5");
+  claim.bounds_included = false;
   EXPECT_EQ(claim.bounds(), "below 6.5");
   claim.at_least = 0.0;
   EXPECT_EQ(claim.bounds(), "between 0 and 6.5");
   claim.at_most.reset();
   EXPECT_EQ(claim.bounds(), "above 0");
+  claim.bounds_included = true;
+  EXPECT_EQ(claim.bounds(), "at least 0");
   claim.criterion = ClaimCriterion::kCentralRange;
   claim.published = 5.0;
   EXPECT_EQ(claim.bounds(), "range with 5");

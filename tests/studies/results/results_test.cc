@@ -258,10 +258,37 @@ TEST(Results, HaveTheSecondMeasureOfAClaim) {
   EXPECT_DOUBLE_EQ(written["sd"], std::sqrt(2.0));
   written.erase("sd");
   EXPECT_EQ(written, Json::parse(R"({"judged_by": "central_range", "metric": "exceptions_around",
-      "published": 1.0, "at_least": 0.0, "at_most": null, "verdict": "cannot be decided here",
-      "reason": "2 pairs; 20 are needed", "share": 1.0, "mean": 1.0, "by_chance": 3.5,
-      "chance_share": 0.125, "values": [0.0, 2.0], "range": [0.0, 2.0],
+      "published": 1.0, "at_least": 0.0, "at_most": null, "bounds_included": true,
+      "verdict": "cannot be decided here", "reason": "2 pairs; 20 are needed", "share": 1.0,
+      "mean": 1.0, "by_chance": 3.5, "chance_share": 0.125, "values": [0.0, 2.0], "range": [0.0, 2.0],
       "chance_range": [2.0, 5.0], "recordings": [0, 1]})"));
+}
+
+// Pairs of 1, 1, 1 and 5, the last one with another recording.
+TEST(Results, HaveTheMeanOfTheRecordingsOfATendency) {
+  ClaimOutcome outcome{claim("order_around", 0.9), {1, 1, 1, 5}, {}};
+  ClaimOutcome second{claim("order_around", 0), {1, 1, 1, 5}, {}};
+  second.claim.criterion = ClaimCriterion::kMean;
+  second.claim.bounds_included = false;
+  second.recordings = {0, 0, 0, 1};
+  outcome.as_written = {second};
+  const Json json = Json::parse(to_json(Results{{}, {outcome}, {}}))["claims"][0];
+  EXPECT_EQ(json["mean"], 2.0);
+  EXPECT_EQ(json["as_written"]["mean"], 3.0);
+  EXPECT_EQ(json["as_written"]["bounds_included"], false);
+}
+
+TEST(Results, HaveNoMeanOfAMetricThatWasNotMeasured) {
+  ClaimOutcome outcome{claim("order_around", 0.9), {0.5, 1.0}, {}};
+  ClaimOutcome second{claim("exceptions_around", 0), {}, {}};
+  second.undecidable = "not measured";
+  outcome.as_written = {second};
+  const Json written = Json::parse(to_json(Results{{}, {outcome}, {}}))["claims"][0]["as_written"];
+  EXPECT_EQ(written["reason"], "not measured");
+  for (const char* key : {"mean", "sd", "range", "chance_range"}) {
+    EXPECT_TRUE(written[key].is_null()) << key;
+  }
+  EXPECT_EQ(written["values"], Json::array());
 }
 
 TEST(Settings, AreATableOfToml) {

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
+#include <string>
 #include <tuple>
 
 #include "somato/graph/system_model.h"
@@ -10,6 +13,10 @@ namespace somato {
 namespace {
 
 constexpr std::size_t kFewestPairs = 20;
+
+// Words of texts that are true of equal systems as well.
+constexpr std::array kIncluding{"at least as many", "At least as many", "does not reduce",
+                                "does not increase", "At most one exploration fewer"};
 
 // The nine systems, and the questions but for the one that only looks at settings.
 ReproductionPlan plan_of_claims() {
@@ -73,6 +80,20 @@ TEST(OwnSystemsClaims, JudgeOnlyClaimsOfPapersAgain) {
   EXPECT_EQ(means, 28U);
   EXPECT_EQ(exceptions, 4U);
   EXPECT_EQ(contradicted, 1U);
+}
+
+// "At least as many" is true of equal maps, "more" and "fewer" are not.
+TEST(OwnSystemsClaims, IncludeTheBoundOfAMeanWhereTheTextIncludesIt) {
+  std::size_t included = 0;
+  for (const Claim& claim : plan_of_claims().claims) {
+    if (claim.judged_by != ClaimCriterion::kMean) continue;
+    const bool expected = std::any_of(kIncluding.begin(), kIncluding.end(), [&](const char* words) {
+      return claim.text.find(words) != std::string::npos;
+    });
+    EXPECT_EQ(claim.as_written()->bounds_included, expected) << claim.where;
+    included += expected ? 1 : 0;
+  }
+  EXPECT_EQ(included, 14U);
 }
 
 TEST(OwnSystemsClaims, StandOnceEach) {

@@ -250,9 +250,27 @@ TEST(Judge, AddsTheSecondMeasure) {
   EXPECT_EQ(second.chance_range, (ClaimRange{2, 98}));
   EXPECT_EQ(second.limit, 8.0);
   EXPECT_EQ(second.recordings, (std::vector<std::size_t>{0, 0, 1, 1}));
-  claimed.judged_metric = "topographic_error";  // not measured
-  EXPECT_TRUE(judge({claimed}, {results}).at(0).as_written.empty());
   EXPECT_TRUE(judge({claim("small", "accuracy", 101)}, {results}).at(0).as_written.empty());
+}
+
+// A second measure is not left out, so that no total counts the first verdict in its place.
+TEST(Judge, SaysThatTheMetricOfTheSecondMeasureWasNotMeasured) {
+  const PartResults results = part("", "small", "", 1);
+  Claim claimed = claim("small", "accuracy", 101);
+  claimed.judged_metric = "topographic_error";
+  claimed.judged_at_most = 0.5;
+  const ClaimOutcome second = judge({claimed}, {results}).at(0).as_written.at(0);
+  EXPECT_EQ(second.verdict(), ClaimVerdict::kUndecided);
+  EXPECT_EQ(second.reason(), "the metric 'topographic_error' was not measured");
+  EXPECT_EQ(second.claim.metric, "topographic_error");
+  EXPECT_TRUE(second.values.empty());
+  PartResults wide = part("", "small", "wide", 1);
+  wide.protocols[0].metrics.pop_back();
+  claimed.than_system = "small";
+  claimed.than_variation = "wide";
+  claimed.judged_metric = "classes_separated_chance";  // of the first one only
+  EXPECT_EQ(judge({claimed}, {results, wide}).at(0).as_written.at(0).reason(),
+            "the metric 'classes_separated_chance' was not measured");
 }
 
 // Pairs that share a recording on either side are not independent.

@@ -133,11 +133,26 @@ TEST(ResultsFile, ReadBackAsTheyWere) {
   const ClaimOutcome& second = read->claims[2].as_written.at(0);
   EXPECT_EQ(second.claim.criterion, ClaimCriterion::kMean);
   EXPECT_EQ(second.claim.at_most, 0.5);
+  EXPECT_FALSE(second.claim.bounds_included);
   EXPECT_FALSE(second.claim.at_least);
   EXPECT_EQ(second.recordings, all.claims[2].as_written.at(0).recordings);
   EXPECT_EQ(second.range(), all.claims[2].as_written.at(0).range());
   EXPECT_EQ(second.verdict(), ClaimVerdict::kUndecided);
   EXPECT_EQ(read->not_applicable.at(0).reason, "no sound");
+}
+
+TEST(ResultsFile, ASecondMeasureThatWasNotMeasuredStays) {
+  Results results = made_results();
+  Claim claim = results.claims[0].claim;
+  claim.judged_metric = "exceptions_around";
+  claim.judged_at_most = 1.0;
+  results.claims = judge({claim}, results.parts);
+  const auto read = parse_results(to_json(results), "results.json");
+  ASSERT_TRUE(read) << to_string(read.error());
+  const ClaimOutcome& second = read->claims.at(0).as_written.at(0);
+  EXPECT_EQ(second.reason(), "the metric 'exceptions_around' was not measured");
+  EXPECT_TRUE(second.values.empty());
+  EXPECT_TRUE(second.claim.bounds_included);
 }
 
 // JSON has no NaN: it stands as null.
@@ -338,6 +353,9 @@ INSTANTIATE_TEST_SUITE_P(
                "'claims[0].published' is string"},
         Damage{"no_criterion", [](Json& j) { j["claims"][2]["as_written"]["judged_by"] = "all"; },
                "'claims[2].as_written.judged_by' is no criterion"},
+        Damage{"bounds_included",
+               [](Json& j) { j["claims"][2]["as_written"]["bounds_included"] = 1; },
+               "'claims[2].as_written.bounds_included' is number"},
         Damage{"chance_range",
                [](Json& j) { j["claims"][2]["as_written"]["chance_range"] = {1.0}; },
                "'claims[2].as_written.chance_range' has 1 entries"},
