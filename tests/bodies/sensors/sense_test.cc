@@ -336,7 +336,6 @@ TEST(Sense, ANoteSaysThatTheDefaultSensorsAreNotThoseOfTheExploration) {
   const ExploringParameters defaults = keeping();
   ExploringParameters others = defaults;
   others.hardness_probe.potentiometer_bits = 12;
-  others.simulation.joint_noise = 2.0;
   others.texture_probe.sensitivity = 40.0;
   for (const ExploringBody body : {ExploringBody::kHardness, ExploringBody::kAllSenses}) {
     const Exploration explored = felt_by(body, defaults);
