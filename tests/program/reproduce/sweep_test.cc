@@ -111,7 +111,8 @@ TEST_F(Sweep, InfersSettingsFromObservedValues) {
   EXPECT_GE(json["accepted"], 6);  // 0.3 of 18 maps
   EXPECT_EQ(json["bodies"].size(), 3U);
   // The seeds of the fresh recordings are others, and a file of a body is the system that was run.
-  for (const auto& draw : Json::parse(read("out/sweep.json"))["points"]) {
+  const Json draws = Json::parse(read("out/sweep.json"))["points"];
+  for (const auto& draw : draws) {
     for (const auto& recording : draw["recordings"]) {
       EXPECT_FALSE(fs::exists(path("out/fresh/recordings/" + recording.get<std::string>())));
     }
