@@ -162,7 +162,7 @@ ClaimVerdict ClaimOutcome::verdict() const {
 
 std::string ClaimOutcome::summary() const {
   const bool of_mean = claim.criterion == ClaimCriterion::kMean;
-  const std::string bounds = fmt::format("{} {}", claim.measured(), claim.bounds());
+  std::string bounds = fmt::format("{} {}", claim.measured(), claim.bounds());
   if (values.empty()) return bounds;
   return fmt::format("{}: mean {:.3f}, {}{}{:.0f} % of the pairs", bounds, mean(),
                      range_words(of_mean ? "interval of the mean" : "central 90 %", range()),
