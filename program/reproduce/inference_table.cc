@@ -6,8 +6,6 @@
 #include <numeric>
 #include <optional>
 
-#include "base/text/value_json.h"
-#include "studies/results/short_number.h"
 #include "studies/sweep/sweep_points.h"
 #include "terminal/wording.h"
 
@@ -15,9 +13,7 @@ namespace somato::program {
 namespace {
 
 std::string short_value(const SweepDescription& sweep, std::size_t unknown, double place) {
-  std::vector<double> places(sweep.unknowns.size(), 0.5);
-  places[unknown] = place;
-  const Value value = point_at(sweep, places)[unknown]->value;
+  const Value value = value_at_place(sweep, unknown, place);
   const auto* number = std::get_if<double>(&value.content);
   return number ? fmt::format("{:.3g}", *number) : to_toml(value);
 }

@@ -93,11 +93,6 @@ std::string claims_text(const std::vector<ClaimOutcome>& claims, bool of_papers,
       title, text);
 }
 
-// By the second measure, if there is one.
-ClaimVerdict verdict_as_written(const ClaimOutcome& outcome) {
-  return outcome.as_written.empty() ? outcome.verdict() : outcome.as_written.front().verdict();
-}
-
 using Measure = std::function<ClaimVerdict(const ClaimOutcome&)>;
 
 // The number of claims of papers with each verdict.
@@ -117,12 +112,12 @@ std::string verdicts_text(const std::string& title, std::size_t width,
 // For both measures; for the second one only if a claim has it.
 std::string verdicts_text(const std::vector<ClaimOutcome>& claims) {
   const auto first = [](const ClaimOutcome& outcome) { return outcome.verdict(); };
+  const auto second = [](const ClaimOutcome& outcome) { return outcome.verdict_as_written(); };
   std::string text = verdicts_text("Verdicts on the claims of papers", 25, claims, first);
   const bool has_second = std::any_of(claims.begin(), claims.end(), [](const auto& outcome) {
     return outcome.claim.is_of_paper() && !outcome.as_written.empty();
   });
-  if (has_second)
-    text += verdicts_text("The same as written in the texts", 39, claims, verdict_as_written);
+  if (has_second) text += verdicts_text("The same as written in the texts", 39, claims, second);
   return text;
 }
 

@@ -166,6 +166,8 @@ struct ClaimOutcome {
   /// are known; otherwise the mean over the pairs. NaN without pairs.
   double mean() const;
   ClaimVerdict verdict() const;
+  /// The verdict by the second measure, if there is one; otherwise verdict().
+  ClaimVerdict verdict_as_written() const;
   /// The reason why it cannot be decided here, or empty.
   std::string reason() const;
   /// The measured quantity and the bounds and, if there are values, the mean, the ranges and the

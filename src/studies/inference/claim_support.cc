@@ -126,10 +126,6 @@ void pool(const ClaimOutcome& more, ClaimOutcome& all) {
   }
 }
 
-ClaimVerdict verdict_as_written(const ClaimOutcome& outcome) {
-  return outcome.as_written.empty() ? outcome.verdict() : outcome.as_written.front().verdict();
-}
-
 }  // namespace
 
 const std::vector<std::pair<ClaimSupport, std::string>>& Choices<ClaimSupport>::all() {
@@ -179,7 +175,7 @@ ClaimShares shares_of(const SweepResults& results, std::size_t claim,
   shares.fresh_pairs = static_cast<std::size_t>(std::count_if(
       met_fresh.begin(), met_fresh.end(), [](double one) { return !std::isnan(one); }));
   if (const auto pooled = pooled_outcome(fresh, claim)) {
-    shares.fresh_verdict = verdict_as_written(*pooled);
+    shares.fresh_verdict = pooled->verdict_as_written();
   }
   shares.chance = mean_chance(results, claim);
   shares.draws = judged_draws(results, claim);
@@ -206,7 +202,7 @@ NotFailing not_failing(const SweepResults& results) {
     const auto outcome = pooled_outcome(results, claim);
     if (!outcome) continue;
     if (is_met_or_open(outcome->verdict())) ++counts.first;
-    if (is_met_or_open(verdict_as_written(*outcome))) ++counts.as_written;
+    if (is_met_or_open(outcome->verdict_as_written())) ++counts.as_written;
   }
   return counts;
 }

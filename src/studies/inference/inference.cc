@@ -148,6 +148,12 @@ Result<Inference> infer(const SweepResults& results, const Targets& targets) {
   return found;
 }
 
+Value value_at_place(const SweepDescription& sweep, std::size_t unknown, double place) {
+  std::vector<double> places(sweep.unknowns.size(), 0.5);
+  places[unknown] = place;
+  return point_at(sweep, places)[unknown]->value;
+}
+
 std::vector<SweepPoint> posterior_points(const SweepDescription& sweep, const Posterior& posterior,
                                          std::size_t bodies, std::uint64_t seed) {
   std::vector<SweepPoint> points;

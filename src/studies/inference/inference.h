@@ -43,6 +43,9 @@ Simulations simulations_of(const SweepResults& results);
 /// simulation has all measures, with a measure that none has.
 Result<Inference> infer(const SweepResults& results, const Targets& targets);
 
+/// The value of unknown number `unknown` at a place of its prior.
+Value value_at_place(const SweepDescription& sweep, std::size_t unknown, double place);
+
 /// Settings of the posterior: `bodies` points, from accepted simulations that are selected with
 /// probabilities in proportion to their weights (systematically, with a random begin).
 std::vector<SweepPoint> posterior_points(const SweepDescription& sweep, const Posterior& posterior,

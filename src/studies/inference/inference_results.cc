@@ -48,18 +48,11 @@ InferenceJson target_json(const InferenceResults& results, std::size_t number) {
           {"posterior", results.inference.predicted[number]}};
 }
 
-// The value of an unknown at a place of its prior.
-InferenceJson value_json(const SweepDescription& sweep, std::size_t unknown, double place) {
-  std::vector<double> places(sweep.unknowns.size(), 0.5);
-  places[unknown] = place;
-  return to_json_value(point_at(sweep, places)[unknown]->value);
-}
-
 InferenceJson summary_json(const SweepDescription& sweep, std::size_t unknown,
                            const PlaceSummary& summary) {
-  return {{"low", value_json(sweep, unknown, summary.low)},
-          {"median", value_json(sweep, unknown, summary.median)},
-          {"high", value_json(sweep, unknown, summary.high)}};
+  return {{"low", to_json_value(value_at_place(sweep, unknown, summary.low))},
+          {"median", to_json_value(value_at_place(sweep, unknown, summary.median))},
+          {"high", to_json_value(value_at_place(sweep, unknown, summary.high))}};
 }
 
 InferenceJson inferred_json(const InferenceResults& results, std::size_t number) {

@@ -1,6 +1,7 @@
 #include "studies/inference/local_regression.h"
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "somato/core/check.h"
@@ -12,9 +13,7 @@ namespace {
 constexpr double kRemaining = 1e-9;
 
 double inner_product(std::span<const double> a, std::span<const double> b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 }  // namespace

@@ -160,6 +160,10 @@ ClaimVerdict ClaimOutcome::verdict() const {
   return verdict_by_share(*this);
 }
 
+ClaimVerdict ClaimOutcome::verdict_as_written() const {
+  return as_written.empty() ? verdict() : as_written.front().verdict();
+}
+
 std::string ClaimOutcome::summary() const {
   const bool of_mean = claim.criterion == ClaimCriterion::kMean;
   std::string bounds = fmt::format("{} {}", claim.measured(), claim.bounds());
