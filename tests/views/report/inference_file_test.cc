@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of one unknown and two claims, as 'somato sweep --targets' writes it.
+// As 'somato sweep --targets' writes it, with one entry of each list.
 constexpr std::string_view kInferenceText = R"({
 "version": 1, "systems": ["press"], "draws": 8, "pairs": 2, "accepted": 3, "adjusted": false,
 "inference": {"accepted": 0.2, "adjusted": true, "truths": 1, "bodies": 4, "pairs": 5, "seed": 1},

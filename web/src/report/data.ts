@@ -527,15 +527,15 @@ export interface SupportedClaim {
   published: number | null;
   at_least: number | null;
   at_most: number | null;
-  /** Of all draws. */
+  /** The share of all draws. */
   prior: number | null;
-  /** Of the maps accepted without the targets that have its own measure. */
+  /** The share of the maps accepted without the targets that have its own measure. */
   left_out: number | null;
-  /** Of posterior settings with fresh seeds. */
+  /** The share of posterior settings with fresh seeds. */
   fresh: number | null;
-  /** Of wrong groupings of the draws. */
+  /** The share of wrong groupings of the draws. */
   chance: number | null;
-  /** Of wrong groupings of the fresh maps. */
+  /** The share of wrong groupings of the fresh maps. */
   fresh_chance: number | null;
   /** On all fresh maps together, by its first measure. */
   fresh_verdict: string | null;
