@@ -120,7 +120,7 @@ def test_held_out(name, options):
             files.append(folder / system.name)
             files[-1].write_text(with_protocols(system.read_text(encoding="utf-8"), shipped["study"]), encoding="utf-8")
         subprocess.run([options.program, "reproduce", *map(str, files), "--pairs", str(HELD_OUT_PAIRS), "--recordings",
-                        str(HELD_OUT_PAIRS), "--seed", str(HELD_OUT_SEED), "--out", str(folder)], check=True, cwd=TREE)
+                        str(HELD_OUT_PAIRS), "--seed", str(HELD_OUT_SEED), "--out", str(folder), "--quiet"], check=True, cwd=TREE)
 
 
 def main(arguments=None):

@@ -16,7 +16,7 @@ let problems: string[];
 let section: Locator;
 
 beforeAll(async () => {
-  ({ page, problems } = await report.open(data));
+  ({ page, problems } = await report.open(data, { reducedMotion: "reduce" })); // colours change at once
   section = await goTo(page, "inference");
 });
 
