@@ -49,7 +49,7 @@ class Sweep : public Reproduce {
     }
     expect_refused(2, {"report", "out", "out/inference.json", "-o", "x.html"}, {"given twice"});
     fs::remove(path("out/inference.json"));
-    expect_refused(3, {"report", "out", "-o", "x.html"}, {"neither results.json nor"});
+    expect_refused(1, {"report", "out", "-o", "x.html"}, {"neither results.json nor"});
   }
 
   static inline const std::string kUnknowns =
