@@ -32,6 +32,7 @@ INTERVAL = 0.9  # the share of truths that a central interval should contain
 GOOD_COVER = (0.80, 0.97)
 NARROW, OPEN_WIDTH = 0.8, 0.9  # widths below which values say something, above which next to nothing
 MOSTLY = 0.5  # kMostlyFrom of include/somato/studies/claim.h: a claim that holds in fewer maps fails
+MOST_LISTED = 4  # numbers in a list, of which the most frequent is named
 DEVIATIONS = 3  # of a correlation by chance
 
 
@@ -240,8 +241,14 @@ def most_frequent(unknown, which):
     return f"{tables.cell_text(best)} ({tables.percent(best[which])})"
 
 
+def is_listed(cells):
+    """Whether a single value says more than the median: for names and few numbers."""
+    is_ordered = all(isinstance(cell["from"], (int, float)) and not isinstance(cell["from"], bool) for cell in cells)
+    return all(cell["from"] == cell["to"] for cell in cells) and (not is_ordered or len(cells) <= MOST_LISTED)
+
+
 def values_cell(unknown, which):
-    if all(cell["from"] == cell["to"] for cell in unknown["cells"]):
+    if is_listed(unknown["cells"]):
         return most_frequent(unknown, which)
     ends = unknown[which]
     return f"{tables.value_text(ends['median'])} ({tables.value_text(ends['low'])} to {tables.value_text(ends['high'])})"

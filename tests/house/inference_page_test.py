@@ -173,6 +173,17 @@ class Page(PageTest):
         self.assertIn("No two unknowns depend on each other", page)
         self.assertIn("No pair of claims holds together less often", page)
 
+    def test_names_and_few_numbers_have_a_most_frequent_value_and_many_numbers_a_median(self):
+        few = [cell(bits, bits, 0.25, share) for bits, share in ((8, 0.1), (10, 0.2), (12, 0.3), (16, 0.4))]
+        many = [*few, cell(18, 18, 0, 0)]
+        names = [cell(str(i), str(i), 0.2, 0.2) for i in range(5)]
+        self.store("probes", inference(unknowns=[unknown("rate", 1, few), unknown("order", 1, many)]))
+        page = self.page()
+        self.assertIn("| `rate` | 0.3 | 8 (25 %) | 16 (40 %) |", page)
+        self.assertIn("| `order` | 0.3 | 2 (1 to 3) | 2 (1 to 3) |", page)
+        self.store("probes", inference(unknowns=[unknown("rate", 1, few), unknown("order", 1, names)]))
+        self.assertIn("| `order` | 0.3 | 0 (20 %) | 0 (20 %) |", self.page())
+
     def test_durations_and_held_out_accuracies_are_those_measured(self):
         self.store("probes", inference())
         self.assertIn("Its duration was not measured", self.page())

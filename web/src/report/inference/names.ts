@@ -25,9 +25,12 @@ export function cellWords({ from, to }: UnknownCell): string {
   return from === to ? valueWords(from) : `${valueWords(from)} to ${valueWords(to)}`;
 }
 
-/** Whether the cells are single values instead of parts of a range. */
+const kMostListed = 4;
+
+/** Whether the shares of single values say more than their median: for names and few numbers. */
 export function isListed({ cells }: UnknownData): boolean {
-  return cells.every(({ from, to }) => from === to);
+  const isOrdered = cells.every(({ from }) => typeof from === "number");
+  return cells.every(({ from, to }) => from === to) && (!isOrdered || cells.length <= kMostListed);
 }
 
 export function claimWords(claim: { system: string; variation: string; text: string }): string {
