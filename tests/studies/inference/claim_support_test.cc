@@ -98,6 +98,7 @@ TEST(ClaimSupport, TheChanceOfFreshMapsIsThatOfTheirGroupings) {
   const ClaimShares shares =
       shares_of(results, 0, found.simulations, found.posterior, targets, fresh);
   EXPECT_FALSE(shares.chance);
+  ASSERT_TRUE(shares.fresh_chance);
   EXPECT_NEAR(*shares.fresh_chance, 0.875, 1e-12);
 }
 
