@@ -239,7 +239,7 @@ def decides(unknown):
 def value_text(value):
     if isinstance(value, bool):
         return str(value).lower()
-    return f"{value:.3g}" if isinstance(value, (int, float)) else str(value)
+    return f"{float(f'{value:.3g}'):g}" if isinstance(value, (int, float)) else str(value)
 
 
 def cell_text(part):

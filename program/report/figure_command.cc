@@ -82,15 +82,17 @@ Command figure_command() {
        "What is shown of a system, as in an address of the report, such as label=shape&run=2"},
       json_flag()};
   for (Flag& flag : report_source_flags()) flags.push_back(std::move(flag));
-  return {"figure",
-          "Save a figure or a table of the report, or the methods, for a paper; requires the "
-          "program chromium",
-          {{"RESULTS", "results.json of a study or a reproduction"},
-           {"NAME", "Name of the figure; without it, all names are listed", false, false,
-            Role::kValue}},
-          std::move(flags),
-          {},
-          run_figure};
+  return {
+      "figure",
+      "Save a figure or a table of the report, or the methods, for a paper; requires the "
+      "program chromium",
+      {{"RESULTS",
+        "results.json of a study or a reproduction, inference.json of an inference, or the folder"},
+       {"NAME", "Name of the figure; without it, all names are listed", false, false,
+        Role::kValue}},
+      std::move(flags),
+      {},
+      run_figure};
 }
 
 }  // namespace somato::program

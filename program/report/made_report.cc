@@ -46,12 +46,47 @@ Result<void> check_results(const std::vector<std::string>& paths) {
   return {};
 }
 
-Result<std::vector<ReportFile>> read_files(const std::vector<std::string>& paths) {
-  std::vector<ReportFile> files;
+constexpr const char* kInferenceFile = "inference.json";
+
+struct ReadFiles {
+  std::vector<ReportFile> results;
+  std::vector<ReportInference> inferences;
+};
+
+// The results in a folder that a command has written.
+Result<std::string> results_path(const std::string& path) {
+  std::error_code missing;
+  if (!fs::is_directory(path, missing)) return path;
+  for (const char* name : {kInferenceFile, "results.json"}) {
+    const fs::path file = fs::path(path) / name;
+    if (fs::is_regular_file(file, missing)) return file.string();
+  }
+  const bool is_sweep = fs::is_regular_file(fs::path(path) / "sweep.json", missing);
+  return fail(ErrorKind::kData, "the folder has neither results.json nor inference.json", path,
+              is_sweep ? "open sweep.svg, the picture of a sweep, or complete the inference, "
+                         "'somato sweep --targets'"
+                       : "name a folder of 'run', 'reproduce' or 'sweep --targets'");
+}
+
+Result<std::vector<std::string>> results_paths(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
   for (const std::string& path : paths) {
-    SOMATO_TRY(const auto text, read_whole(path, kLargestResults));
+    SOMATO_TRY(auto file, results_path(path));
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+Result<ReadFiles> read_files(const std::vector<std::string>& paths) {
+  ReadFiles files;
+  for (const std::string& path : paths) {
+    SOMATO_TRY(auto text, read_whole(path, kLargestResults));
+    if (fs::path(path).filename() == kInferenceFile) {
+      files.inferences.push_back({path, std::move(text)});
+      continue;
+    }
     SOMATO_TRY(auto results, parse_results(text, path));
-    files.push_back({path, std::move(results)});
+    files.results.push_back({path, std::move(results)});
   }
   return files;
 }
@@ -75,10 +110,10 @@ Result<ReportRecordings> recordings_for(const Arguments& arguments,
   return recordings;
 }
 
-Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& files) {
+Result<Report> make(const Arguments& arguments, const ReadFiles& files) {
   SOMATO_TRY(const auto threads, read_threads(arguments));
   SOMATO_TRY(const auto named, named_model(arguments));
-  SOMATO_TRY(auto recordings, recordings_for(arguments, files));
+  SOMATO_TRY(auto recordings, recordings_for(arguments, files.results));
   SOMATO_TRY(const auto objects, read_objects(arguments));
   SOMATO_TRY(auto places, read_layout_flag(arguments));
   const ReportSources sources{SOMATO_VERSION,
@@ -93,7 +128,7 @@ Result<Report> make(const Arguments& arguments, const std::vector<ReportFile>& f
                               explore_units(),
                               threads,
                               std::move(places)};
-  return make_report(files, sources);
+  return make_report(files.results, sources, files.inferences);
 }
 
 std::vector<std::string> models_of(const ReportFile& file) {
@@ -134,9 +169,10 @@ std::vector<Flag> report_source_flags() {
 
 Result<MadeReport> made_report(const Arguments& arguments, const std::vector<std::string>& paths) {
   SOMATO_TRY(const auto page, find_page());
-  SOMATO_TRY_VOID(check_results(paths));
-  SOMATO_TRY(const auto files, read_files(paths));
-  SOMATO_TRY_VOID(check_found(arguments, files));
+  SOMATO_TRY(const auto found, results_paths(paths));
+  SOMATO_TRY_VOID(check_results(found));
+  SOMATO_TRY(const auto files, read_files(found));
+  SOMATO_TRY_VOID(check_found(arguments, files.results));
   SOMATO_TRY(auto report, make(arguments, files));
   SOMATO_TRY(auto whole, report_page(page, report.json));
   return MadeReport{std::move(whole), std::move(report)};

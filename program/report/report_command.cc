@@ -18,8 +18,10 @@ Result<void> run_report(const Arguments& arguments) {
   const std::string output = arguments.text("output");
   SOMATO_TRY_VOID(save_whole(output, made.page));
   const Report& report = made.report;
-  std::string text = fmt::format("{}: {}, {}\n", output, counted(report.systems, "system"),
-                                 counted(report.claims, "claim"));
+  const std::string inferences =
+      report.inferences > 0 ? ", " + counted(report.inferences, "inference") : "";
+  std::string text = fmt::format("{}: {}, {}{}\n", output, counted(report.systems, "system"),
+                                 counted(report.claims, "claim"), inferences);
   for (const std::string& sentence : report.missing) text += "  " + sentence + "\n";
   print_summary(text);
   return {};
@@ -33,9 +35,12 @@ Command report_command() {
                output_flag("-o,--output", "File for the page, such as report.html", true));
   return {
       "report",
-      "Make one page of results for a browser: maps, the classes of their neurons, sensor readings "
-      "and claims",
-      {{"RESULTS", "results.json of studies and reproductions", true, true}},
+      "Make one page of results for a browser: maps, the classes of their neurons, sensor "
+      "readings, "
+      "claims and inferences",
+      {{"RESULTS",
+        "results.json of studies and reproductions, inference.json of inferences, or their folders",
+        true, true}},
       std::move(flags),
       {},
       run_report};

@@ -46,7 +46,8 @@ std::string percent(std::optional<double> share) {
 }
 
 std::string verdict_text(const ClaimShares& shares) {
-  return shares.fresh_verdict ? " (" + choice_name(*shares.fresh_verdict) + ")" : "";
+  const auto& verdict = shares.fresh_verdict_as_written;
+  return verdict ? " (" + choice_name(*verdict) + ")" : "";
 }
 
 std::string claim_line(const InferenceResults& results, std::size_t number) {

@@ -151,7 +151,8 @@ MetClaims met_by_simulations(const SweepResults& results, std::size_t claim) {
 }
 
 ClaimSupport ClaimShares::support() const {
-  if (fresh && fresh_pairs >= kLeastPairs && reaches(*fresh, kExplainedFrom)) {
+  const bool by_chance = fresh_chance && reaches(*fresh_chance, kExplainedFrom);
+  if (fresh && fresh_pairs >= kLeastPairs && reaches(*fresh, kExplainedFrom) && !by_chance) {
     return ClaimSupport::kExplained;
   }
   if (!prior) return ClaimSupport::kNotDecided;
@@ -175,9 +176,11 @@ ClaimShares shares_of(const SweepResults& results, std::size_t claim,
   shares.fresh_pairs = static_cast<std::size_t>(std::count_if(
       met_fresh.begin(), met_fresh.end(), [](double one) { return !std::isnan(one); }));
   if (const auto pooled = pooled_outcome(fresh, claim)) {
-    shares.fresh_verdict = pooled->verdict_as_written();
+    shares.fresh_verdict = pooled->verdict();
+    shares.fresh_verdict_as_written = pooled->verdict_as_written();
   }
   shares.chance = mean_chance(results, claim);
+  shares.fresh_chance = mean_chance(fresh, claim);
   shares.draws = judged_draws(results, claim);
   return shares;
 }

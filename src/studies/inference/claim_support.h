@@ -15,7 +15,8 @@ namespace somato {
 
 /// Whether settings explain a claim.
 enum class ClaimSupport {
-  /// It holds in at least kExplainedFrom of the fresh pairs of the posterior, at least kLeastPairs.
+  /// It holds in at least kExplainedFrom of the fresh pairs of the posterior, at least kLeastPairs,
+  /// and in fewer of their wrong groupings.
   kExplained,
   /// It holds in at least kExcludedBelow of all simulations, or of the fresh pairs.
   kReachable,
@@ -46,11 +47,13 @@ struct ClaimShares {
   /// The same where the targets with the measure of the claim had no part in the selection.
   std::optional<double> left_out;
   std::size_t fresh_pairs = 0;  ///< Number of the fresh pairs in which it could be judged.
-  /// The verdict on all fresh pairs: by the second measure of the claim, if it has one.
-  std::optional<ClaimVerdict> fresh_verdict;
+  std::optional<ClaimVerdict> fresh_verdict;  ///< On all fresh pairs, by the first measure.
+  /// The same by the second measure of the claim, if it has one.
+  std::optional<ClaimVerdict> fresh_verdict_as_written;
   std::optional<double> fresh;   ///< Share with fresh seeds, at settings of the posterior.
-  std::optional<double> chance;  ///< Mean share of wrong groupings that meet it.
-  std::size_t draws = 0;         ///< Number of draws at which it could be judged.
+  std::optional<double> chance;  ///< Mean share of wrong groupings that meet it, of all draws.
+  std::optional<double> fresh_chance;  ///< The same, of the fresh pairs.
+  std::size_t draws = 0;               ///< Number of draws at which it could be judged.
 
   ClaimSupport support() const;
 };

@@ -33,6 +33,10 @@ double mean_of(const std::vector<double>& values) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
+InferenceJson or_null(std::optional<ClaimVerdict> verdict) {
+  return verdict ? InferenceJson(choice_name(*verdict)) : InferenceJson(nullptr);
+}
+
 InferenceJson target_json(const InferenceResults& results, std::size_t number) {
   const Target& target = results.targets.targets[number];
   const auto& statistics = results.inference.simulations.statistics;
@@ -109,9 +113,10 @@ InferenceJson supported_claim_json(const InferenceResults& results, std::size_t 
   json["posterior"] = or_null(shares.posterior);
   json["left_out"] = or_null(shares.left_out);
   json["fresh"] = or_null(shares.fresh);
-  json["fresh_verdict"] = shares.fresh_verdict ? InferenceJson(choice_name(*shares.fresh_verdict))
-                                               : InferenceJson(nullptr);
+  json["fresh_verdict"] = or_null(shares.fresh_verdict);
+  json["fresh_verdict_as_written"] = or_null(shares.fresh_verdict_as_written);
   json["chance"] = or_null(shares.chance);
+  json["fresh_chance"] = or_null(shares.fresh_chance);
   json["draws"] = shares.draws;
   json["support"] = choice_name(shares.support());
   return json;

@@ -26,6 +26,8 @@ class CheckedJson {
   bool ok() const { return !trouble_.has_value(); }
   bool is_object() const { return value_.is_object(); }
   bool is_null() const { return value_.is_null(); }
+  bool is_number() const { return value_.is_number(); }
+  bool is_truth() const { return value_.is_boolean(); }
   bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
 
   /// The part of that name, which must be there.

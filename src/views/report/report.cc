@@ -13,6 +13,7 @@
 #include "views/curves/part_settings.h"
 #include "views/report/deciding_json.h"
 #include "views/report/evidence.h"
+#include "views/report/inference_file.h"
 #include "views/report/moments_json.h"
 #include "views/report/packed_json.h"
 #include "views/report/samples_json.h"
@@ -148,6 +149,12 @@ class ReportWriter {
     return {};
   }
 
+  Result<void> add(const ReportInference& file) {
+    SOMATO_TRY(auto inference, detail::parse_inference(file.text, file.path));
+    inferences_.push_back(std::move(inference));
+    return {};
+  }
+
   Result<Report> finish() {
     if (!sources_.places.empty()) SOMATO_TRY_VOID(place_channels());
     Json curves = detail::frame_curves_json(parts_);
@@ -158,8 +165,9 @@ class ReportWriter {
                  {"systems", systems_},         {"claims", claims_},
                  {"curves", std::move(curves)}, {"moments", moments_.list()}};
     if (!placed_.empty()) json["placed"] = placed_;
+    if (!inferences_.empty()) json["inferences"] = inferences_;
     return Report{json.dump(-1, ' ', false, Json::error_handler_t::replace), systems_.size(),
-                  claims_.size(), missing_};
+                  claims_.size(), inferences_.size(), missing_};
   }
 
  private:
@@ -238,6 +246,7 @@ class ReportWriter {
   std::vector<const ClaimOutcome*> outcomes_;
   Json systems_ = Json::array();
   Json claims_ = Json::array();
+  Json inferences_ = Json::array();
   detail::Moments moments_;
   std::vector<std::string> missing_;
   std::vector<std::string> channels_;  // of moments and planes
@@ -270,11 +279,11 @@ std::string without_markup(std::string_view json) {
 
 }  // namespace
 
-Result<Report> make_report(const std::vector<ReportFile>& files, const ReportSources& sources) {
+Result<Report> make_report(const std::vector<ReportFile>& files, const ReportSources& sources,
+                           const std::vector<ReportInference>& inferences) {
   ReportWriter writer(sources);
-  for (const ReportFile& file : files) {
-    SOMATO_TRY_VOID(writer.add(file));
-  }
+  for (const ReportFile& file : files) SOMATO_TRY_VOID(writer.add(file));
+  for (const ReportInference& file : inferences) SOMATO_TRY_VOID(writer.add(file));
   return writer.finish();
 }
 

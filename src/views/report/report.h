@@ -42,6 +42,12 @@ struct ReportFile {
   Results results;
 };
 
+/// The text of an inference.json and the path of its file.
+struct ReportInference {
+  std::string path;
+  std::string text;
+};
+
 /// Sources of the data that results refer to.
 struct ReportSources {
   std::string version;  ///< Version of the program.
@@ -68,13 +74,15 @@ struct Report {
       json;  ///< As described in docs/formats/report.md; the same bytes for the same sources.
   std::size_t systems = 0;
   std::size_t claims = 0;
+  std::size_t inferences = 0;
   std::vector<std::string> missing;  ///< Sentences about missing data, without repeats.
 };
 
-/// Composes the report for the systems in `files`. Missing data are omitted, with a sentence.
-/// Errors: kData for winners that are not on the map of their study; those of check_channels() and
-/// places_for().
-Result<Report> make_report(const std::vector<ReportFile>& files, const ReportSources& sources);
+/// Composes the report for the systems in `files` and for `inferences`. Missing data are omitted,
+/// with a sentence. Errors: kData for winners that are not on the map of their study, and for
+/// fields of an inference that are missing or wrong; those of check_channels() and places_for().
+Result<Report> make_report(const std::vector<ReportFile>& files, const ReportSources& sources,
+                           const std::vector<ReportInference>& inferences = {});
 
 /// The page with the report instead of its placeholder `null`, escaped so that it cannot end the
 /// element or be interpreted as code. Errors (kUsage): the page has no placeholder, or more than

@@ -37,6 +37,21 @@ class Sweep : public Reproduce {
     EXPECT_TRUE(read(a + "/sweep.svg") == read(b + "/sweep.svg"));
   }
 
+  // The folder of an inference has a page, that of a sweep a picture.
+  void expect_page_of_inference(const Json& json) const {
+    if (has_no_pages(run({"report", "none.json", "-o", "x"}))) return;
+    EXPECT_EQ(output_of({"report", "out", "-o", "report.html"}),
+              "report.html: 0 systems, 0 claims, 1 inference\n");
+    const std::string page = read("report.html");
+    EXPECT_NE(page.find("\"claims\":[],"), std::string::npos);
+    for (const auto& claim : json["claims"]) {
+      EXPECT_NE(page.find(claim["text"].get<std::string>()), std::string::npos);
+    }
+    expect_refused(2, {"report", "out", "out/inference.json", "-o", "x.html"}, {"given twice"});
+    fs::remove(path("out/inference.json"));
+    expect_refused(1, {"report", "out", "-o", "x.html"}, {"neither results.json nor"});
+  }
+
   static inline const std::string kUnknowns =
       "[unknown.rate]\nkey = 'module.map.learning_rate_start'\ntext = 'Not given.'\n"
       "low = 0.01\nhigh = 1.0\nscale = 'logarithmic'\n"
@@ -124,6 +139,7 @@ TEST_F(Sweep, InfersSettingsFromObservedValues) {
   output_of({"reproduce", "out/bodies/02/other.toml", "--out", "again", "--pairs", "1",
              "--recordings", "1"});
   EXPECT_EQ(output_of(command), shown) << "nothing is left to run";
+  expect_page_of_inference(json);
 }
 
 TEST_F(Sweep, PartsInAnyOrderOneKilledAreTheSameBytesAsOneRun) {

@@ -73,6 +73,35 @@ TEST(ClaimSupport, IsExcludedOnlyByManyDraws) {
   EXPECT_EQ(shares.support(), ClaimSupport::kExcluded);
 }
 
+TEST(ClaimSupport, ChanceExplainsWhatItReachesAsOften) {
+  ClaimShares shares;
+  shares.prior = 1.0;
+  shares.fresh = 1.0;
+  shares.fresh_pairs = kLeastPairs;
+  shares.fresh_chance = 0.89;
+  EXPECT_EQ(shares.support(), ClaimSupport::kExplained);
+  shares.fresh_chance = 0.9;
+  EXPECT_EQ(shares.support(), ClaimSupport::kReachable);
+  shares.fresh_chance = 0.0;
+  shares.chance = 1.0;
+  EXPECT_EQ(shares.support(), ClaimSupport::kExplained) << "the chance of the fresh maps counts";
+}
+
+TEST(ClaimSupport, TheChanceOfFreshMapsIsThatOfTheirGroupings) {
+  const Targets targets = targets_of(kTarget).value();
+  const SweepResults results = rates_as_accuracies(128, targets);
+  const Inference found = infer(results, targets).value();
+  SweepResults fresh = results;
+  for (std::size_t i = 0; i < 128; ++i) {
+    fresh.points[i].claims[0]->chance_share = i < 32 ? 0.5 : 1.0;
+  }
+  const ClaimShares shares =
+      shares_of(results, 0, found.simulations, found.posterior, targets, fresh);
+  EXPECT_FALSE(shares.chance);
+  ASSERT_TRUE(shares.fresh_chance);
+  EXPECT_NEAR(*shares.fresh_chance, 0.875, 1e-12);
+}
+
 TEST(ClaimSupport, FindsClaimsThatExcludeEachOther) {
   constexpr double kUnjudgedClaim = std::numeric_limits<double>::quiet_NaN();
   MetClaims first;

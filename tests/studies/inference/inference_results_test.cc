@@ -39,6 +39,8 @@ TEST(InferenceResults, AreWrittenAsJson) {
   EXPECT_EQ(json["joint"]["fresh"]["sums"].size(), 2U);
   EXPECT_EQ(json["joint"]["fresh"]["not_failing"], 0U) << "4 pairs decide nothing";
   EXPECT_EQ(json["claims"][0]["fresh_verdict"], "cannot be decided here");
+  EXPECT_EQ(json["claims"][0]["fresh_verdict_as_written"], "cannot be decided here");
+  EXPECT_TRUE(json["claims"][0]["fresh_chance"].is_null());
   EXPECT_EQ(json["bodies"].size(), 2U);
   EXPECT_EQ(json["bodies"][0]["rate"], 0.1);
 }

@@ -27,6 +27,7 @@ export interface ReportData {
    * not repeated there.
    */
   placed?: ChannelData[];
+  inferences?: InferenceReport[];
 }
 
 /**
@@ -410,4 +411,170 @@ export interface CurveReport {
   unit: string;
   metric: string;
   lines: CurveLine[];
+}
+
+/** An inference, as in inference.json: its prior, its posterior and its claims. */
+export interface InferenceReport {
+  /** The inference.json, as it was named on the command line. */
+  file: string;
+  /** Names. */
+  systems: string[];
+  /** Settings of the prior that were run. */
+  draws: number;
+  /** Maps of each system at each draw. */
+  pairs: number;
+  /** Maps that were accepted. */
+  accepted: number;
+  /** Whether the accepted settings were adjusted by a regression. */
+  adjusted: boolean;
+  /** Settings of the posterior that were run with fresh seeds. */
+  bodies: number;
+  /** Maps of each system at each of these. */
+  fresh_pairs: number;
+  targets: TargetData[];
+  unknowns: UnknownData[];
+  dependences: DependenceData[];
+  /** Draws that were taken as observations, to check the inference. */
+  truths: number;
+  /** For each unknown. */
+  calibration: CalibratedData[];
+  claims: SupportedClaim[];
+  conflicts: ConflictData[];
+  joint: JointResults;
+}
+
+/** A value that was observed. */
+export interface TargetData {
+  text: string;
+  paper: string;
+  system: string;
+  variation: string;
+  metric: string;
+  protocol: string;
+  observed: number;
+  /** The difference that counts as 1. */
+  scale: number;
+  /** Mean over all maps. */
+  prior: number;
+  /** Mean over the accepted maps. */
+  posterior: number;
+}
+
+/** A setting that is inferred. */
+export interface UnknownData {
+  name: string;
+  /** Why it is unknown, with its unit and the source of its range. */
+  text: string;
+  /** The value of the system's file, in TOML notation. */
+  system: string;
+  /** Keys of the system's file. */
+  key: string[];
+  /** Parts of the range, or single values. */
+  cells: UnknownCell[];
+  prior: UnknownSummary;
+  posterior: UnknownSummary;
+  /** The width of the posterior relative to that of the prior. */
+  shrinkage: number;
+}
+
+/** A part of the range of an unknown; a single value has equal ends. */
+export interface UnknownCell {
+  from: number | string | boolean;
+  to: number | string | boolean;
+  /** Share of the draws. */
+  prior: number;
+  /** Weighted share of the accepted maps. */
+  posterior: number;
+}
+
+/** Quantiles of 0.05, 0.5 and 0.95. */
+export interface UnknownSummary {
+  low: number | string | boolean;
+  median: number | string | boolean;
+  high: number | string | boolean;
+}
+
+/** The correlation of two unknowns in the posterior. */
+export interface DependenceData {
+  first: string;
+  second: string;
+  correlation: number;
+}
+
+/** The check of an unknown. */
+export interface CalibratedData {
+  name: string;
+  /** Share of the truths in the central 90 % interval. */
+  covered: number;
+  /** Probability of such ranks if they are uniform. */
+  uniform_p: number;
+  /** The rank of each truth among the accepted settings. */
+  ranks: number[];
+}
+
+/** The shares of maps in which a claim holds. */
+export interface SupportedClaim {
+  text: string;
+  paper: string;
+  system: string;
+  variation: string;
+  metric: string;
+  protocol: string;
+  /** The other system or variation, or "". */
+  than: string;
+  /** The metric of the other system or variation, or "". */
+  than_metric: string;
+  published: number | null;
+  at_least: number | null;
+  at_most: number | null;
+  /** The share of all draws. */
+  prior: number | null;
+  /** The share of the maps accepted without the targets that have its own measure. */
+  left_out: number | null;
+  /** The share of posterior settings with fresh seeds. */
+  fresh: number | null;
+  /** The share of wrong groupings of the draws. */
+  chance: number | null;
+  /** The share of wrong groupings of the fresh maps. */
+  fresh_chance: number | null;
+  /** On all fresh maps together, by its first measure. */
+  fresh_verdict: string | null;
+  /** The same by its second measure, if it has one. */
+  fresh_verdict_as_written: string | null;
+  support: "explained" | "reachable" | "excluded" | "not decided";
+}
+
+/** A claim of an inference. */
+export interface ClaimName {
+  system: string;
+  variation: string;
+  text: string;
+}
+
+/** Two claims that hold together in fewer maps than expected from their shares. */
+export interface ConflictData {
+  first: ClaimName;
+  second: ClaimName;
+  /** Number of maps. */
+  together: number;
+  expected: number;
+  /** The difference in standard deviations. */
+  deviations: number;
+}
+
+/** How many claims hold together. */
+export interface JointResults {
+  prior: JointSums;
+  fresh: JointSums;
+}
+
+/** Over the settings of the prior, or those that were run with fresh seeds. */
+export interface JointSums {
+  mean: number;
+  /** For each setting the mean number of claims that hold in a pair. */
+  sums: number[];
+  /** Claims that do not fail on all pairs together. */
+  not_failing: number;
+  /** The same by their second measures. */
+  not_failing_as_written: number;
 }

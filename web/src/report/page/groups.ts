@@ -46,7 +46,7 @@ function newId(name: string, groups: Map<string, Group>): string {
   return taken.has(id) ? `${id}-${groups.size + 1}` : id;
 }
 
-const kFixed = ["overview", "systems", "claims", "curves", "compare", "report", "report-data"];
+const kFixed = ["overview", "systems", "claims", "curves", "compare", "inference", "report", "report-data"];
 
 export function questionsOf(data: ReportData): Question[] {
   const questions = new Map<string, Question>();

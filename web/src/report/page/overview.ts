@@ -25,12 +25,13 @@ export function overviewSection(data: ReportData): HTMLElement {
   const groups = groupsOf(data);
   const best = bestSystem(originals(data));
   const standing = groups.flatMap(({ systems }) => systems);
+  const inferences = data.inferences ?? [];
   return element("section", { id: "overview", class: "overview", "aria-label": "Overview" }, [
     element("header", { class: "title" }, [
       element("h1", {}, [titleOf(data)]),
       element("p", { class: "summary" }, [summaryOf(originals(data))]),
     ]),
-    data.systems.length === 0
+    data.systems.length === 0 && inferences.length === 0
       ? element("p", { class: "message" }, [
           "No results were given. Name one or more results.json: somato report RESULTS.json -o report.html",
         ])
@@ -43,12 +44,14 @@ export function overviewSection(data: ReportData): HTMLElement {
 export function titleOf(data: ReportData): string {
   const groups = groupsOf(data);
   const questions = questionsOf(data);
+  const inferences = data.inferences ?? [];
   const [first] = groups;
-  if (groups.length === 1 && first && questions.length === 0) return first.name;
-  if (groups.length === 0 && questions.length === 1) return questions[0]?.name ?? "";
+  if (groups.length === 1 && first && questions.length + inferences.length === 0) return first.name;
+  if (groups.length + inferences.length === 0 && questions.length === 1) return questions[0]?.name ?? "";
   const counts = [
     ...(groups.length > 0 ? [countOf(groups.length, "system")] : []),
     ...(questions.length > 0 ? [countOf(questions.length, "question")] : []),
+    ...(inferences.length > 0 ? [countOf(inferences.length, "inference")] : []),
   ];
   return counts.length === 0 ? "Results" : `Results of ${counts.join(" and ")}`;
 }

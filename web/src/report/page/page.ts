@@ -7,6 +7,8 @@ import { parsedAddress, restoreSection, showFigureInAddress } from "./address";
 import { claimsSection } from "../tables/claims";
 import { canCompare, compareSection } from "../tables/compare";
 import { curvesSection } from "../maps/curves";
+import { inferenceSection } from "../inference/section";
+import { inferenceId, inferenceTitle } from "../inference/names";
 import { groupsOf, questionsOf } from "./groups";
 import { drawAllInside, drawInside, tried } from "./lazy";
 import { overviewSection, titleOf } from "./overview";
@@ -25,6 +27,7 @@ export function reportPage(place: HTMLElement, data: ReportData): void {
   const isFolded = groups.length > 1;
   const sections = [
     ...tried(() => [overviewSection(data)]),
+    ...(data.inferences ?? []).flatMap((inference, i) => tried(() => [inferenceSection(inference, i)])),
     ...(canCompare(data) ? tried(() => [compareSection(data)]) : []),
     ...groups.flatMap((group) => tried(() => [systemSection(group, data, isFolded)])),
     ...questionsOf(data).flatMap((question) => tried(() => [questionSection(question, data)])),
@@ -48,6 +51,7 @@ function navigation(data: ReportData): HTMLElement {
       ...part("curves", "Curves", data.curves.length > 0),
       ...part("claims", "Claims", data.claims.length > 0),
     ]),
+    ...entryList("Inferences", inferencesOf(data)),
     ...entryList("Systems", groupsOf(data)),
     ...entryList("Questions", questionsOf(data)),
   ];
@@ -62,6 +66,10 @@ function navigation(data: ReportData): HTMLElement {
   lists.forEach((list) => list.addEventListener("click", unfold));
   const parts: Child[] = [brand, themeButton(), fold, savingControls(data)];
   return element("nav", { class: "side no-print", "aria-label": "Contents" }, parts);
+}
+
+function inferencesOf({ inferences = [] }: ReportData): Entry[] {
+  return inferences.map((inference, i) => ({ id: inferenceId(i), name: inferenceTitle(inference) }));
 }
 
 function entryList(title: string, entries: Entry[]): HTMLElement[] {

@@ -4,7 +4,20 @@
 import type { NumberOrNull } from "../../parts/data";
 import type * as file from "../data";
 
-export type { ClaimReport, CurveReport, MetricData, NotGiven } from "../data";
+export type {
+  CalibratedData,
+  ClaimReport,
+  ConflictData,
+  CurveReport,
+  DependenceData,
+  InferenceReport,
+  MetricData,
+  NotGiven,
+  SupportedClaim,
+  TargetData,
+  UnknownCell,
+  UnknownData,
+} from "../data";
 
 export type Unpacked<T> = T extends file.PackedRows
   ? NumberOrNull[][]

@@ -2,6 +2,7 @@
 
 import type { Child } from "../../parts/dom";
 import { curvesSection } from "../maps/curves";
+import { inferenceSection } from "../inference/section";
 import { groupsOf, questionsOf, type Numbered } from "../page/groups";
 import { overviewSection } from "../page/overview";
 import { questionFigures } from "../page/question";
@@ -24,6 +25,7 @@ export function sourcesOf(data: ReportData): Source[] {
   const questions = questionsOf(data);
   return [
     whole(() => [overviewSection(data)]),
+    ...(data.inferences ?? []).map((inference, i) => whole(() => [inferenceSection(inference, i)])),
     ...groupsOf(data).flatMap(({ systems }) => systems.map((one) => systemSource(one, "", data))),
     ...questions.map((question) => whole(() => questionFigures(question, data))),
     ...questions.flatMap(({ name, systems }) => systems.map((one) => systemSource(one, slug(name), data))),

@@ -97,7 +97,7 @@ const kColumns = ["claim", "paper", "published", "here", "by chance", "holds in"
 const kNumbers = new Set(["published", "here", "by chance"]);
 
 function claimRow(claim: ClaimReport): HTMLElement {
-  const measured = [claim.metric, bound(claim), claim.protocol.replaceAll("_", " "), claim.group]
+  const measured = [claim.metric, boundWords(claim), claim.protocol.replaceAll("_", " "), claim.group]
     .filter((words) => words !== "")
     .join(" ");
   return element("tr", {}, [
@@ -117,7 +117,8 @@ function secondWords({ as_written: second, contradicted_by: figure }: ClaimRepor
   return words.filter((line) => line !== "").map((line) => element("span", { class: "measured" }, [line]));
 }
 
-function bound(claim: ClaimReport): string {
+/** The bounds of a claim, and what is subtracted before they are compared. */
+export function boundWords(claim: Pick<ClaimReport, "metric" | "than" | "than_metric" | "at_least" | "at_most">): string {
   const subtracted = claim.than_metric === claim.metric ? "that" : claim.than_metric;
   const less = claim.than === "" ? "" : `minus ${subtracted} of ${claim.than} `;
   if (claim.at_least !== null && claim.at_most !== null) {
