@@ -207,6 +207,32 @@ TEST(NoveltyRun, ThresholdDoesNotDependOnTestExplorations) {
   EXPECT_EQ(novelty(trained), before);
 }
 
+// The second of two explorations is a copy of the first.
+Recording grasps_in_pairs() {
+  Recording recording = grasps(3, 8, 5);
+  for (std::size_t i = 0; i + 1 < recording.explorations.size(); i += 2) {
+    recording.explorations[i + 1].channels = recording.explorations[i].channels;
+  }
+  return recording;
+}
+
+// Of three classes of four pairs; four parts hold two explorations of each class.
+double threshold_of(FoldChoice choice, const Recording& recording) {
+  StudyDescription description = unknown_study(
+      "protocols = ['train_is_test']\nunknown = true\nfalse_alarm_rate = 0.5\n"
+      "calibration_folds = 4\nfold_choice = '" +
+      choice_name(choice) + "'\n");
+  return outcome_of(description, recording).model.answer->novelty->threshold;
+}
+
+// Where neighbours are alike, a threshold that holds them out together is that of explorations that
+// are new.
+TEST(NoveltyRun, PartsThatFindAThresholdFollowTheFoldChoice) {
+  const Recording recording = grasps_in_pairs();
+  const double blocks = threshold_of(FoldChoice::kBlocks, recording);
+  EXPECT_GT(blocks, 1.5 * threshold_of(FoldChoice::kInterleaved, recording));
+}
+
 TEST(NoveltyRun, NeedsEnoughExplorations) {
   const Trained trained(6);
   StudyDescription strict = wary_study();
