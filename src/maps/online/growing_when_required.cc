@@ -314,7 +314,9 @@ bool GrowingWhenRequired::class_is_full(std::size_t the_class) const {
   const auto kept = std::count(names_.begin(), names_.end(), the_class);
   const auto seen = seen_of_class_.find(the_class);
   const auto samples = seen == seen_of_class_.end() ? 0.0 : static_cast<double>(seen->second);
-  return static_cast<double>(kept) >= std::max(1.0, std::floor(*parameters_.most_share * samples));
+  constexpr double kRounding = 1e-9;  // 0.29 of 100 are 29, and not fewer by the last digit
+  const double most = std::floor(*parameters_.most_share * samples * (1.0 + kRounding));
+  return static_cast<double>(kept) >= std::max(1.0, most);
 }
 
 // The nearest neuron of the input's class, the first in a tie, takes the mean of its inputs.

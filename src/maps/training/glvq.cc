@@ -76,16 +76,21 @@ NeuronClasses classes_of_neurons(const Som& som, const Samples& seen,
   return found;
 }
 
-Glvq::Glvq(Som& som, std::vector<std::size_t> class_of_neuron, double neighbours)
+Glvq::Glvq(Som& som, std::vector<std::size_t> class_of_neuron, double neighbours,
+           std::vector<bool> varying)
     : som_(som),
       weights_(weights_to_change(som)),
       class_of_neuron_(std::move(class_of_neuron)),
       neighbours_(neighbours),
+      varying_(std::move(varying)),
       relevance_steps_(weights_.columns()),
       scores_(weights_.padded_rows()),
       candidates_(som.neurons()),
       row_(weights_.columns()) {
   require(class_of_neuron_.size() == som.neurons(), "every neuron has a class");
+  if (varying_.empty()) varying_.assign(weights_.columns(), true);
+  require(varying_.size() == weights_.columns(), "it is known of every element whether it varies");
+  varying_count_ = static_cast<std::size_t>(std::ranges::count(varying_, true));
   for (const std::size_t one : class_of_neuron_) {
     if (one >= neurons_of_class_.size()) neurons_of_class_.resize(one + 1);
     ++neurons_of_class_[one];
@@ -123,7 +128,8 @@ void Glvq::learn(std::span<const float> sample, std::size_t its_class, const Glv
 }
 
 // The derivative of the relative distance difference by the logarithm of a relevance, times the
-// number of elements, so that the rate is that of an element with an average share of the distance.
+// number of elements that vary, so that the rate is that of an element with an average share of the
+// distance.
 void Glvq::add_relevance_steps(std::span<const float> sample, const std::vector<KnownRun>& runs,
                                const Pair& pair, double rate) {
   const bool is_squared = som_.parameters().similarity == Similarity::kEuclidean;
@@ -132,7 +138,7 @@ void Glvq::add_relevance_steps(std::span<const float> sample, const std::vector<
     return is_squared ? difference * difference : std::fabs(difference);
   };
   const double sum = pair.to_right + pair.to_wrong;
-  const double factor = 2.0 * rate * static_cast<double>(sample.size()) / sum;
+  const double factor = 2.0 * rate * static_cast<double>(varying_count_) / sum;
   for (const KnownRun& run : runs) {
     for (std::size_t d = run.first; d < run.first + run.count; ++d) {
       const double change =
@@ -147,12 +153,15 @@ void Glvq::update_relevances() {
   relevances.resize(weights_.columns(), 1.0);
   double sum = 0.0;
   for (std::size_t d = 0; d < relevances.size(); ++d) {
+    if (!varying_[d]) continue;
     relevances[d] *= exponential(-std::clamp(relevance_steps_[d], -kMostStep, kMostStep));
     relevance_steps_[d] = 0.0;
     sum += relevances[d];
   }
-  const double factor = static_cast<double>(relevances.size()) / sum;
-  for (double& one : relevances) one = std::max(one * factor, kLeastRelevance);
+  const double factor = static_cast<double>(varying_count_) / sum;
+  for (std::size_t d = 0; d < relevances.size(); ++d) {
+    if (varying_[d]) relevances[d] = std::max(relevances[d] * factor, kLeastRelevance);
+  }
   som_.set_relevances(std::move(relevances));
 }
 

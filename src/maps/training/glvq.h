@@ -35,7 +35,9 @@ NeuronClasses classes_of_neurons(const Som& som, const Samples& seen,
 class Glvq {
  public:
   /// `class_of_neuron` has a class for each neuron; adjacent neurons learn the share `neighbours`.
-  Glvq(Som& som, std::vector<std::size_t> class_of_neuron, double neighbours);
+  /// Relevances of elements that are not among `varying` stay 1, and do not count in their mean.
+  Glvq(Som& som, std::vector<std::size_t> class_of_neuron, double neighbours,
+       std::vector<bool> varying = {});
 
   /// Whether samples of this class can be learned: a neuron has it, and another one does not.
   bool has_both_sides(std::size_t the_class) const;
@@ -45,7 +47,8 @@ class Glvq {
   void learn(std::span<const float> sample, std::size_t its_class, const GlvqStep& step);
 
   /// Changes the relevances of the map by the steps of all samples that were learned since the last
-  /// call with a `relevance_rate`. Their mean is then 1, unless one would be below 1e-6.
+  /// call with a `relevance_rate`. The mean of those that differ in samples is then 1, unless one
+  /// would be below 1e-6; the others are 1.
   void update_relevances();
 
  private:
@@ -69,6 +72,8 @@ class Glvq {
   std::vector<std::size_t> class_of_neuron_;
   std::vector<std::size_t> neurons_of_class_;
   double neighbours_;
+  std::vector<bool> varying_;
+  std::size_t varying_count_ = 0;
   std::vector<double> relevance_steps_;
   AlignedVector<float> scores_;
   std::vector<float> candidates_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <utility>
@@ -73,6 +74,22 @@ MapOrder order_of(const Som& som, const Samples& samples, bool incomplete, std::
           measured.values.at(SomMeasure::kTopographicError),
           measured.values.at(SomMeasure::kTrustworthiness),
           measured.values.at(SomMeasure::kContinuity)};
+}
+
+// Whether two samples differ in an element. The unit of a relevance must not depend on the others.
+std::vector<bool> varying_elements(const Samples& seen) {
+  std::vector<float> first(seen.size(), std::numeric_limits<float>::quiet_NaN());
+  std::vector<bool> varying(seen.size(), false);
+  std::vector<float> row(seen.size());
+  for (std::size_t i = 0; i < seen.count(); ++i) {
+    write_dense(seen[i], row);
+    for (std::size_t d = 0; d < row.size(); ++d) {
+      if (std::isnan(row[d])) continue;
+      if (std::isnan(first[d])) first[d] = row[d];
+      if (row[d] != first[d]) varying[d] = true;
+    }
+  }
+  return varying;
 }
 
 // From start to end over all passes; the learning rates fall to 0 at the end.
@@ -232,7 +249,9 @@ Result<RefinedSom> refine_som(const Som& som, const Samples& samples, const Samp
   NeuronClasses found = classes_of_neurons(refined.som, seen, labelled.classes);
   refined.order.named_by_nearest = found.named_by_nearest;
   refined.order.classes_without_neuron = without_neuron(found.of_neuron, labelled.classes);
-  Glvq glvq(refined.som, std::move(found.of_neuron), parameters.refine_neighbours);
+  const bool relevances = parameters.refine == Refinement::kGrlvq;
+  Glvq glvq(refined.som, std::move(found.of_neuron), parameters.refine_neighbours,
+            relevances ? varying_elements(seen) : std::vector<bool>());
   SOMATO_TRY_VOID(run_passes(refined.som, glvq, seen, labelled.classes, parameters, options));
   refined.order.after = order_of(refined.som, samples, incomplete, options.threads);
   return refined;

@@ -66,8 +66,8 @@ std::vector<KeyReader> key_readers(const StudyParameters& study) {
   }
   readers.push_back({"fold_choice",
                      "the protocol k_folds, leave_class_out or object_after_object and test_last "
-                     "= 0",
-                     divides && study.test_last == 0});
+                     "= 0, or unknown = true",
+                     (divides && study.test_last == 0) || unknown});
   for (const char* key :
        {"replay_per_object", "replay_choice", "generated_per_object", "generated_spread"}) {
     readers.push_back({key, "the protocol object_after_object", continual});
@@ -219,7 +219,8 @@ const Declarations<StudyParameters>& StudyParameters::declarations() {
                "Which explorations of a class are in the same part: consecutive ones of the "
                "recording, or ones drawn at random. Neighbours in a recording are often alike; if "
                "one is learned and the other tested, the accuracy is that of known explorations. "
-               "k_folds and object_after_object are compared with the other choice.")
+               "k_folds and object_after_object are compared with the other choice. The "
+               "calibration_folds are chosen in the same way.")
           .add("test_last", &P::test_last, "explorations", Range::between(0, 1e6),
                "Number of explorations of each class, the last of the recording, that are tested "
                "after training on the earlier ones, instead of the parts: by k_folds and "

@@ -60,8 +60,9 @@ Result<Novelty> find_novelty(const StudyDescription& description, const Prepared
     return not_to_be_whitened();
   }
   std::vector<double> scores;
-  for (const Fold& part : folds_among(training, prepared.classes().of_sample,
-                                      study.calibration_folds, study.first_seed)) {
+  for (const Fold& part :
+       folds_among(training, prepared.classes().of_sample, study.calibration_folds,
+                   study.first_seed, prepared.samples.choice)) {
     SOMATO_TRY(const auto without, train_fold(description, prepared, part, seed, progress));
     const Numbers learned = of_learned_classes(part, prepared.classes().of_sample);
     SOMATO_TRY(const auto held_out,

@@ -155,6 +155,16 @@ TEST(GrowingByNames, EveryClassHasANeuron) {
 }
 
 // The share counts what is learned later as well.
+// 0.29 times 100 is below 29 in double precision.
+TEST(GrowingByNames, AShareThatIsAWholeNumberIsReached) {
+  Random random(29);
+  Matrix<float> rows(200, 2);
+  for (float& value : rows.values()) value = static_cast<float>(random.normal());
+  NamedSamples named{Samples(std::move(rows)), {}};
+  for (std::size_t i = 0; i < 200; ++i) named.classes.push_back(i % 2);
+  EXPECT_EQ(grown(sharing(Similarity::kEuclidean, 0.29), named).neurons(), 58U);
+}
+
 TEST(GrowingByNames, TheShareGrowsWithWhatIsSeen) {
   NamedSamples named = overlapping(2, 7);
   std::fill(named.classes.begin(), named.classes.end(), std::size_t{0});

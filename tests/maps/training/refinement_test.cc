@@ -347,6 +347,46 @@ TEST(Refinement, AColumnThatSeparatesClassesBecomesRelevant) {
   }
 }
 
+Matrix<float> with_column(const Matrix<float>& rows, float value) {
+  Matrix<float> wider(rows.rows(), rows.columns() + 1);
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    std::ranges::copy(rows.row(i), wider.row(i).begin());
+    wider(i, rows.columns()) = value;
+  }
+  return wider;
+}
+
+TEST(Refinement, AConstantColumnChangesNothing) {
+  Random random(99);
+  for (int i = 0; i < 20; ++i) {
+    const RefinementProblem problem = refinement_problem(random, i % 2 == 1);
+    const Matrix<float> weights = problem.som.weights().to_matrix();
+    const Som wider(problem.som.parameters(), with_column(weights, 7.3F));
+    const auto expected =
+        refine_som(problem.som, Samples(problem.samples), problem.classes, grlvq_parameters());
+    const auto refined = refine_som(wider, Samples(with_column(problem.samples, 7.3F)),
+                                    problem.classes, grlvq_parameters());
+    ASSERT_TRUE(expected && refined);
+    std::vector<double> relevances = expected->som.parameters().relevances;
+    relevances.push_back(1.0);
+    EXPECT_EQ(refined->som.parameters().relevances, relevances) << i;
+    EXPECT_EQ(refined->som.weights().to_matrix(),
+              with_column(expected->som.weights().to_matrix(), 7.3F))
+        << i;
+  }
+}
+
+TEST(Refinement, SamplesThatDoNotDifferLeaveRelevancesAtOne) {
+  SomParameters p;
+  p.rows = 2;
+  p.columns = 2;
+  const Matrix<float> rows(4, 3, std::vector<float>(12, 2.0F));
+  const auto refined =
+      refine_som(train_som(p, rows).value(), Samples(rows), {0, 1, 0, 1}, grlvq_parameters());
+  ASSERT_TRUE(refined);
+  EXPECT_EQ(refined->som.parameters().relevances, std::vector<double>(3, 1.0));
+}
+
 TEST(Refinement, RelevancesStandMoreClassesThanNeuronsAndOneSampleOfEach) {
   SomParameters p;
   p.rows = 1;

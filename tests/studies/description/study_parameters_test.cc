@@ -158,12 +158,20 @@ TEST(ReadStudy, RefusesProtocolsThatDoNotFit) {
   const std::string choice = "fold_choice = \"blocks\"\n";
   expect_study_refused(study + choice + module,
                        "study.toml:3: 'fold_choice' has no effect without the protocol k_folds, "
-                       "leave_class_out or object_after_object and test_last = 0; leave it out, or "
-                       "add it");
+                       "leave_class_out or object_after_object and test_last = 0, or unknown = "
+                       "true; leave it out, or add it");
   expect_study_refused(study + choice + "protocols = [\"k_folds\"]\ntest_last = 2\n" + module,
                        "study.toml:3: 'fold_choice' has no effect without the protocol k_folds, "
-                       "leave_class_out or object_after_object and test_last = 0; leave it out, or "
-                       "add it");
+                       "leave_class_out or object_after_object and test_last = 0, or unknown = "
+                       "true; leave it out, or add it");
+}
+
+// The parts that find a threshold follow it under every protocol.
+TEST(ReadStudy, TakesAFoldChoiceForThresholds) {
+  const std::string module = "[module.a]\ntype = \"channel\"\n";
+  const std::string choice = "[study]\nname = \"n\"\nfold_choice = \"interleaved\"\n";
+  EXPECT_TRUE(read_study(choice + "protocols = [\"train_is_test\"]\nunknown = true\n" + module));
+  EXPECT_TRUE(read_study(choice + "protocols = [\"leave_class_out\"]\ntest_last = 2\n" + module));
 }
 
 TEST(ReadStudy, KeepsNeighboursTogetherUnlessAnotherChoiceIsNamed) {

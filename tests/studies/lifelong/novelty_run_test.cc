@@ -207,6 +207,41 @@ TEST(NoveltyRun, ThresholdDoesNotDependOnTestExplorations) {
   EXPECT_EQ(novelty(trained), before);
 }
 
+// Parts of two consecutive explorations of each of three classes of eight.
+std::vector<double> scores_of_blocks(const Trained& trained) {
+  std::vector<double> scores;
+  for (std::size_t part = 0; part < 4; ++part) {
+    Fold fold;
+    for (std::size_t i = 0; i < 24; ++i) {
+      (i % 8 / 2 == part ? fold.test : fold.training).push_back(i);
+    }
+    const TrainedFold without = train_fold(wary_study(), trained.prepared, fold, 1, kOn).value();
+    const auto held_out = labelled_map(without, trained.prepared, fold.training, std::nullopt)
+                              .held_out_scores(fold.test)
+                              .value();
+    scores.insert(scores.end(), held_out.begin(), held_out.end());
+  }
+  std::ranges::sort(scores);
+  return scores;
+}
+
+// Neighbours are held out together unless the study says otherwise; of 24 scores the rank is
+// 25 - floor(2.5).
+TEST(NoveltyRun, PartsThatFindAThresholdFollowTheFoldChoice) {
+  Trained trained(8);
+  StudyDescription description = wary_study();
+  description.study.calibration_folds = 4;
+  const auto threshold = [&](FoldChoice choice) {
+    trained.prepared.samples.choice = choice;
+    return find_novelty(description, trained.prepared, trained.outcome, trained.fold.training, 1,
+                        kOn)
+        ->threshold;
+  };
+  const double expected = scores_of_blocks(trained)[22];
+  EXPECT_EQ(threshold(FoldChoice::kBlocks), expected);
+  EXPECT_NE(threshold(FoldChoice::kInterleaved), expected);
+}
+
 TEST(NoveltyRun, NeedsEnoughExplorations) {
   const Trained trained(6);
   StudyDescription strict = wary_study();
