@@ -62,6 +62,31 @@ TEST(ObjectTable, EveryShapeHasItsOwnKeys) {
       (Size{40, 40, 40}));
 }
 
+TEST(ObjectTable, TheDepthMayBeAShareOfTheWidth) {
+  const std::string block =
+      R"({ shape = "block", width = 80, depth_share = 0.75, height = 110, material = "wood" })";
+  EXPECT_EQ(only_object(block).size, (Size{80, 60, 110}));
+  EXPECT_EQ(only_object(R"({ shape = "ellipsoid", width = 80, depth_share = 1.0, height = 110,
+                             material = "wood" })")
+                .size,
+            (Size{80, 80, 110}));
+  expect_says(error_of_object(R"({ shape = "block", width = 80, depth = 60, depth_share = 0.75,
+                                   height = 110, material = "wood" })"),
+              {"the depth is given twice", "either 'depth' or 'depth_share'"});
+  for (const char* share : {"0.0", "1.01", "nan"}) {
+    expect_says(error_of_object(fmt::format("{{ shape = \"block\", width = 80, depth_share = {}, "
+                                            "height = 110, material = \"wood\" }}",
+                                            share)),
+                {"'depth_share' must be"});
+  }
+  expect_says(error_of_object(R"({ shape = "block", width = 80, depth_share = "automatic",
+                                   height = 110, material = "wood" })"),
+              {"'depth' must be a number"});
+  expect_says(error_of_object(R"({ shape = "cylinder", diameter = 80, depth_share = 0.5,
+                                   height = 110, material = "wood" })"),
+              {"key of a cylinder 'depth_share'"});
+}
+
 TEST(ObjectTable, AConeMayBeCutOff) {
   const Object pointed =
       only_object(R"({ shape = "cone", diameter = 60, height = 90, material = "wood" })");
