@@ -33,7 +33,7 @@ Result<void> read_threads_and_data(const Arguments& arguments, PairsRequest& req
 /// recordings it is not required.
 Result<void> check_explorable(const ReproductionPart& part, bool given);
 
-/// What a point of a sweep takes from a stock.
+/// The place of a point of a sweep in a stock.
 struct StockPoint {
   std::map<std::string, Table> explored;  ///< The explored table [explore] by title_of() of parts.
   std::size_t first = 0;  ///< Number of its first recording among those of all points.
@@ -50,7 +50,7 @@ class PartRecordings final : public RecordingSource {
   void use_stock(RecordingStock stock) { stock_.emplace(std::move(stock)); }
   void use_stock_point(StockPoint point) { stock_point_ = std::move(point); }
 
-  /// The stock, and what the recording of a part takes from it; with a stock only.
+  /// The stock, and the recording of a part in it; only after use_stock().
   const RecordingStock& stock() const { return *stock_; }
   StockedRecording stocked(const ReproductionPart& part, std::size_t index) const;
 

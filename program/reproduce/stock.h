@@ -28,7 +28,7 @@ struct StockedRecording {
   Table sensors;           ///< The table [explore] of the point.
   Table explored;          ///< The table [explore] of explored_point().
   std::size_t number = 0;  ///< Number of the recording among those of all points.
-  std::uint64_t seed = 0;  ///< Of the noise and of the differences between sensors.
+  std::uint64_t seed = 0;  ///< Seed of the noise and of the differences between sensors.
 };
 
 /// A file of the stock.

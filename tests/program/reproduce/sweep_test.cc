@@ -218,7 +218,7 @@ TEST_F(StockedSweep, TablesOfObjectsArePutTogether) {
   EXPECT_EQ(files("out/stock").size(), 2U) << "equal tubes share their grasps";
   const Json points = Json::parse(read("out/sweep.json"))["points"];
   ASSERT_EQ(points.size(), 2U);
-  EXPECT_EQ(points[1]["claims"][0]["values"][0], 1.0) << "tubes of 40 and 70 mm are told apart";
+  EXPECT_EQ(points[1]["claims"][0]["values"][0], 1.0) << "tubes of 40 and 70 mm are separated";
 }
 
 TEST_F(StockedSweep, RefusesUnknownsThatCannotBeInAStock) {

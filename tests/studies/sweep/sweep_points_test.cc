@@ -170,7 +170,7 @@ TEST(SweepPoints, IncreasingUnknownsShareTheirPlacesInAscendingOrder) {
   EXPECT_EQ(whole(point[2]->value), 5);
   EXPECT_EQ(point_at(sweep, {0.1, 0.25, 0.9})[2]->value, point[2]->value);
   EXPECT_EQ(whole(place_at(sweep, sweep.unknowns[0], 0.9).value), 3) << "a place of one unknown";
-  // Of the nine pairs of places, three are equal and each other pair is that of two.
+  // Three of the nine pairs of places are equal, and each other pair is that of two.
   std::map<std::pair<std::int64_t, std::int64_t>, int> seen;
   for (const SweepPoint& one : sweep_points(sweep)) {
     const std::pair sizes{whole(one[0]->value), whole(one[2]->value)};
