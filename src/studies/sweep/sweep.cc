@@ -138,7 +138,7 @@ Result<void> check_increasing(const SweepDescription& sweep) {
     if (has_levels(sweep.sweep.design)) {
       return refuse_unknown(
           unknown, "is increasing, but '" + choice_name(sweep.sweep.design) + "' has levels",
-          "use the design \"sobol\" or \"latin_hypercube\"");
+          R"(use the design "sobol" or "latin_hypercube")");
     }
     const std::size_t count = count_of_values(unknown.parameters);
     if (counts.emplace(group, count).first->second == count) continue;
