@@ -65,14 +65,21 @@ Result<std::size_t> PartRecordings::count(const ReproductionPart& part) const {
   return found;
 }
 
+StockedRecording PartRecordings::stocked(const ReproductionPart& part, std::size_t index) const {
+  return {part.explore, stock_point_.explored.at(title_of(part)), stock_point_.first + index,
+          request_.seed + index};
+}
+
 Result<KeptRecordings::Kept> PartRecordings::get(const ReproductionPart& part, std::size_t index) {
   if (request_.given) return request_.given->get(given_for(part)[index]);
+  if (stock_) return stock_->get(stocked(part, index));
   return read_explore_table(part.explore).and_then([&](const ExploreTable& table) {
     return explored_.get(table, index);
   });
 }
 
 Result<std::string> PartRecordings::identity(const ReproductionPart& part, std::size_t index) {
+  if (stock_) return stock_->identity(stocked(part, index));
   if (!request_.given) {
     return read_explore_table(part.explore).and_then([&](const ExploreTable& table) {
       return explored_.identity(table, index);

@@ -9,6 +9,7 @@
 
 #include "flags/command_line.h"
 #include "reproduce/reproduction_recordings.h"
+#include "reproduce/stock.h"
 #include "somato/core/result.h"
 #include "somato/studies/reproduction.h"
 #include "studies/run/reproduction_run.h"
@@ -32,12 +33,26 @@ Result<void> read_threads_and_data(const Arguments& arguments, PairsRequest& req
 /// recordings it is not required.
 Result<void> check_explorable(const ReproductionPart& part, bool given);
 
-/// The recordings of parts: given ones, or explored and stored in a folder.
+/// The place of a point of a sweep in a stock.
+struct StockPoint {
+  std::map<std::string, Table> explored;  ///< The explored table [explore] by title_of() of parts.
+  std::size_t first = 0;  ///< Number of its first recording among those of all points.
+};
+
+/// The recordings of parts: given ones, explored and stored in a folder, or played from a stock.
 class PartRecordings final : public RecordingSource {
  public:
   /// The request must outlive it.
   PartRecordings(PairsRequest& request, const std::filesystem::path& folder)
       : request_(request), explored_(folder, request.seed, request.threads) {}
+
+  /// From now on recordings are played from this stock.
+  void use_stock(RecordingStock stock) { stock_.emplace(std::move(stock)); }
+  void use_stock_point(StockPoint point) { stock_point_ = std::move(point); }
+
+  /// The stock, and the recording of a part in it; only after use_stock().
+  const RecordingStock& stock() const { return *stock_; }
+  StockedRecording stocked(const ReproductionPart& part, std::size_t index) const;
 
   /// Recordings are explored with the seeds of the request as it is now.
   void use_seeds() { explored_.begin_at(request_.seed); }
@@ -53,6 +68,8 @@ class PartRecordings final : public RecordingSource {
 
   PairsRequest& request_;
   ExploredRecordings explored_;
+  std::optional<RecordingStock> stock_;
+  StockPoint stock_point_;
   std::map<std::size_t, std::string> given_hashes_;
 };
 

@@ -71,6 +71,29 @@ PairedRecording paired(std::string name, std::string source, std::uint64_t seed,
   return {std::move(info), std::move(recording)};
 }
 
+// A folder that is locked while a recording is explored; the last process removes it. A process
+// that waits for a removed folder finds the recording.
+class RecordingLock {
+ public:
+  explicit RecordingLock(std::filesystem::path path) : path_(std::move(path)) {
+    std::error_code exists;
+    std::filesystem::create_directory(path_, exists);
+  }
+  RecordingLock(const RecordingLock&) = delete;
+  RecordingLock(RecordingLock&&) = delete;
+  RecordingLock& operator=(const RecordingLock&) = delete;
+  RecordingLock& operator=(RecordingLock&&) = delete;
+  ~RecordingLock() {
+    std::error_code gone;
+    std::filesystem::remove(path_, gone);
+  }
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 // The last part of a path, with or without a final slash.
 std::string last_part(const std::filesystem::path& path) {
   const auto whole = std::filesystem::absolute(path).lexically_normal();
@@ -100,6 +123,11 @@ std::vector<std::filesystem::path> sorted_entries(const std::filesystem::path& f
 
 }  // namespace
 
+PairedRecording paired_recording(std::string name, std::uint64_t seed, Recording recording) {
+  const std::string source = recording.explorations.front().source;
+  return paired(std::move(name), source, seed, std::move(recording));
+}
+
 Result<PairedRecording> read_given(const RecordingParameters& parameters, const std::string& path) {
   return read_study_data(parameters, path).map([&](Recording recording) {
     return paired(last_part(path), "given", 0, std::move(recording));
@@ -127,7 +155,8 @@ KeptRecordings::Kept KeptRecordings::keep(const std::string& key, PairedRecordin
 Result<void> ExploredRecordings::explore(const ExploreTable& table, bool new_objects,
                                          std::uint64_t seed, const std::string& name) const {
   const std::string path = (folder_ / name).string();
-  SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::wait(folder_));
+  const RecordingLock own_folder(folder_ / ("." + name + ".lock"));
+  SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::wait(own_folder.path()));
   std::error_code missing;
   if (std::filesystem::exists(path, missing)) return {};
   SOMATO_TRY(auto things, things_for(table, new_objects));
@@ -137,17 +166,27 @@ Result<void> ExploredRecordings::explore(const ExploreTable& table, bool new_obj
   return explore_into(path, *explorer, each, threads_, name);
 }
 
+Result<std::string> ExploredRecordings::path(const ExploreTable& table, bool new_objects,
+                                             std::uint64_t seed) const {
+  return file_name(table, new_objects, seed).map([&](const std::string& name) {
+    return (folder_ / name).string();
+  });
+}
+
+Result<void> ExploredRecordings::explore_missing(const ExploreTable& table, bool new_objects,
+                                                 std::uint64_t seed) const {
+  SOMATO_TRY(const auto name, file_name(table, new_objects, seed));
+  std::error_code missing;
+  if (std::filesystem::exists(folder_ / name, missing)) return {};
+  return explore(table, new_objects, seed, name);
+}
+
 Result<PairedRecording> ExploredRecordings::explored(const ExploreTable& table, bool new_objects,
                                                      std::uint64_t seed) const {
+  SOMATO_TRY_VOID(explore_missing(table, new_objects, seed));
   SOMATO_TRY(const auto name, file_name(table, new_objects, seed));
-  const std::string path = (folder_ / name).string();
-  std::error_code missing;
-  if (!std::filesystem::exists(path, missing)) {
-    SOMATO_TRY_VOID(explore(table, new_objects, seed, name));
-  }
-  return read_recording(path).map([&](Recording recording) {
-    const std::string source = recording.explorations.front().source;
-    return paired(name, source, seed, std::move(recording));
+  return read_recording((folder_ / name).string()).map([&](Recording recording) {
+    return paired_recording(name, seed, std::move(recording));
   });
 }
 

@@ -19,6 +19,9 @@ namespace somato::program {
 /// A given recording: read_study_data() of a path, named by the path's last part.
 Result<PairedRecording> read_given(const RecordingParameters& parameters, const std::string& path);
 
+/// A recording with its description.
+PairedRecording paired_recording(std::string name, std::uint64_t seed, Recording recording);
+
 /// Caches recordings, as long as they are small in total: several systems run on the same ones.
 /// When they are not, all are released but the latest.
 class KeptRecordings {
@@ -37,7 +40,7 @@ class KeptRecordings {
 
 /// Recordings that are explored on demand and stored in a folder: a later request, also after an
 /// interruption, uses the same file. If several processes need the same recording, the first
-/// explores it and the others wait.
+/// explores it and the others wait; different recordings are explored at the same time.
 class ExploredRecordings {
  public:
   ExploredRecordings(std::filesystem::path folder, std::uint64_t first_seed, std::size_t threads)
@@ -54,10 +57,19 @@ class ExploredRecordings {
   /// objects that cannot be read.
   Result<std::string> identity(const ExploreTable& table, std::size_t index) const;
 
- private:
-  Result<PairedRecording> read(const ExploreTable& table, std::uint64_t seed) const;
+  /// The path of the recording with this seed, or of that of the new objects. Errors: as above.
+  Result<std::string> path(const ExploreTable& table, bool new_objects, std::uint64_t seed) const;
+
+  /// Explores it unless its file exists. Errors: those of get().
+  Result<void> explore_missing(const ExploreTable& table, bool new_objects,
+                               std::uint64_t seed) const;
+
+  /// The same, and reads it.
   Result<PairedRecording> explored(const ExploreTable& table, bool new_objects,
                                    std::uint64_t seed) const;
+
+ private:
+  Result<PairedRecording> read(const ExploreTable& table, std::uint64_t seed) const;
   Result<void> explore(const ExploreTable& table, bool new_objects, std::uint64_t seed,
                        const std::string& name) const;
 

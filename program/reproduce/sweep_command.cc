@@ -33,6 +33,11 @@ std::map<std::string, std::string> explore_defaults() {
 
 // With given recordings there is no exploration.
 Result<void> check_moved(const SweepRequest& request) {
+  if (request.pairs.given && request.sweep.sweep.sweep.stock) {
+    return fail(ErrorKind::kUsage, "a sweep with a stock explores", "--data",
+                "omit it, or remove 'stock'");
+  }
+  SOMATO_TRY_VOID(check_stock(request.sweep.sweep));
   for (const Unknown& unknown : request.sweep.sweep.unknowns) {
     for (const std::string& key : unknown.parameters.key) {
       if (!request.pairs.given || !key.starts_with("explore.")) continue;
@@ -63,6 +68,13 @@ Result<void> read_target_file(const Arguments& arguments, SweepRequest& request)
   SOMATO_TRY(const auto file, read_toml(arguments.text("targets")));
   SOMATO_TRY(auto targets, read_targets(file));
   SOMATO_TRY_VOID(add_targets(targets, request.sweep));
+  const std::optional<std::size_t>& stock = request.sweep.sweep.sweep.stock;
+  if (stock && *stock < targets.inference.pairs) {
+    return fail(ErrorKind::kUsage,
+                fmt::format("a fresh setting has {} pairs, but the stock has {} recordings",
+                            targets.inference.pairs, *stock),
+                arguments.text("targets"), "increase 'stock', or reduce 'pairs' in [inference]");
+  }
   request.targets = std::move(targets);
   return {};
 }

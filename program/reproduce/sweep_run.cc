@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
 #include "base/archives/checksum.h"
 #include "flags/output_folder.h"
+#include "terminal/terminal.h"
+#include "terminal/wording.h"
 #include "version.h"
 
 namespace somato::program {
@@ -17,15 +21,21 @@ SweepRun::SweepRun(SweepRequest& request)
       recordings_(request.pairs, request.out / "recordings"),
       runner_(request.pairs, recordings_),
       kept_(parts_folder(request.out), request.part.folder_name()),
-      first_seed_(request.pairs.seed) {}
+      first_seed_(request.pairs.seed) {
+  if (!stock()) return;
+  recordings_.use_stock({request.out / "stock", first_seed_, *stock(), request.pairs.threads});
+}
 
 Result<void> SweepRun::make_folders() const {
-  return make_folder(request_.out / "recordings").and_then([&] { return kept_.make_folders(); });
+  return make_folder(request_.out / (stock() ? "stock" : "recordings")).and_then([&] {
+    return kept_.make_folders();
+  });
 }
 
 Result<void> SweepRun::run() {
   kept_.look();
   SOMATO_TRY(auto missing, missing_points());
+  if (stock()) SOMATO_TRY_VOID(explore_stock(missing));
   SweepProgress progress(names_of(request_.sweep), missing.size());
   for (const std::size_t number : missing) {
     auto ran = run_point(number, progress);
@@ -53,15 +63,62 @@ Result<std::string> SweepRun::name_of(const ReproductionPart& part) {
       [](const std::string& text) { return checksum_name(SOMATO_VERSION + ("\n" + text)); });
 }
 
-void SweepRun::use_seeds_of(std::size_t number) {
-  if (!request_.targets) return;
-  const std::size_t seeds = std::max(request_.pairs.pairs, request_.pairs.recordings);
-  request_.pairs.seed = first_seed_ + number * seeds;
-  recordings_.use_seeds();
+Result<void> SweepRun::use_point(std::size_t number) {
+  if (request_.targets) {
+    const std::size_t seeds = std::max(request_.pairs.pairs, request_.pairs.recordings);
+    request_.pairs.seed = first_seed_ + number * seeds;
+    recordings_.use_seeds();
+  }
+  if (!stock()) return {};
+  StockPoint point;
+  point.first = request_.targets ? number * request_.pairs.recordings : 0;
+  const SweepPoint explored = explored_point(request_.sweep.sweep, request_.points[number]);
+  SOMATO_TRY(const auto plan, plan_of_point(request_.sweep, explored));
+  for (const ReproductionPart& part : plan.parts) point.explored[title_of(part)] = part.explore;
+  recordings_.use_stock_point(std::move(point));
+  return {};
+}
+
+Result<std::map<std::string, StockFile>> SweepRun::stock_files(
+    const std::vector<std::size_t>& points) {
+  std::map<std::string, StockFile> all;
+  const std::size_t recordings = std::min(request_.pairs.recordings, request_.pairs.pairs);
+  for (const std::size_t number : points) {
+    SOMATO_TRY_VOID(use_point(number));
+    SOMATO_TRY(const auto plan, plan_of_point(request_.sweep, request_.points[number]));
+    for (const ReproductionPart& part : plan.parts) {
+      for (std::size_t index = 0; index < recordings; ++index) {
+        SOMATO_TRY(const auto files, recordings_.stock().files(recordings_.stocked(part, index)));
+        for (const StockFile& file : files) {
+          SOMATO_TRY(const auto path, recordings_.stock().path(file));
+          all.emplace(path, file);
+        }
+      }
+    }
+  }
+  std::erase_if(all, [](const auto& one) { return std::filesystem::exists(one.first); });
+  return all;
+}
+
+// Parts begin at different files, so that they share the work.
+Result<void> SweepRun::explore_stock(const std::vector<std::size_t>& points) {
+  SOMATO_TRY(const auto missing, stock_files(points));
+  if (missing.empty()) return {};
+  std::vector<StockFile> files;
+  for (const auto& [path, file] : missing) files.push_back(file);
+  const std::size_t first = files.size() * (request_.part.number - 1) / request_.part.of;
+  std::rotate(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
+  const auto begin = std::chrono::steady_clock::now();
+  for (const StockFile& file : files) SOMATO_TRY_VOID(recordings_.stock().explore(file));
+  if (is_quiet()) return {};
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  fmt::print(stderr, "somato: the stock of {} is complete; it took {:.0f} s\n",
+             counted(files.size(), "file"), seconds.count());
+  return {};
 }
 
 Result<std::optional<std::vector<PartResults>>> SweepRun::found_at(std::size_t number) {
-  use_seeds_of(number);
+  SOMATO_TRY_VOID(use_point(number));
   SOMATO_TRY(const auto plan, plan_of_point(request_.sweep, request_.points[number]));
   std::optional<std::vector<PartResults>> parts{std::in_place};
   for (const ReproductionPart& part : plan.parts) {
@@ -84,7 +141,7 @@ Result<std::vector<std::size_t>> SweepRun::missing_points() {
 }
 
 Result<void> SweepRun::run_point(std::size_t number, SweepProgress& progress) {
-  use_seeds_of(number);
+  SOMATO_TRY_VOID(use_point(number));
   const SweepPoint& point = request_.points[number];
   SOMATO_TRY(const auto plan, plan_of_point(request_.sweep, point));
   for (std::size_t i = 0; i < plan.parts.size(); ++i) {

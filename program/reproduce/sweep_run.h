@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "reproduce/kept_studies.h"
 #include "reproduce/part.h"
 #include "reproduce/part_recordings.h"
+#include "reproduce/stock.h"
 #include "reproduce/sweep_progress.h"
 #include "somato/core/result.h"
 #include "studies/inference/targets.h"
@@ -48,10 +50,14 @@ class SweepRun {
   Result<SweepResults> results();
 
  private:
+  const std::optional<std::size_t>& stock() const { return request_.sweep.sweep.sweep.stock; }
   Result<std::string> name_of(const ReproductionPart& part);
   /// With targets each point has seeds of its own, because it is a draw; otherwise all have the
-  /// same.
-  void use_seeds_of(std::size_t number);
+  /// same. Recordings of a stock follow.
+  Result<void> use_point(std::size_t number);
+  /// Explores the missing files of the stock that the points require, and reports the time.
+  Result<void> explore_stock(const std::vector<std::size_t>& points);
+  Result<std::map<std::string, StockFile>> stock_files(const std::vector<std::size_t>& points);
   /// Nothing if a study is missing.
   Result<std::optional<std::vector<PartResults>>> found_at(std::size_t number);
   Result<std::vector<std::size_t>> missing_points();

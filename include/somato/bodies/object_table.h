@@ -24,6 +24,7 @@ struct ObjectLine {
   std::optional<double> diameter;
   std::optional<double> width;
   std::optional<double> depth;
+  std::optional<double> depth_share;
   std::optional<double> height;
   double top_diameter = 0.0;
   std::string file;

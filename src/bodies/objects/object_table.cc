@@ -56,6 +56,11 @@ Result<Shape> shape_of(const Table& line, const std::string& where) {
   });
 }
 
+// Whether another key of the line gives the size.
+bool is_given_by_share(const Table& line, std::string_view key) {
+  return key == "depth" && line.find("depth_share") != nullptr;
+}
+
 // The shape's keys are there, and no other shape's.
 Result<void> check_keys(const Table& line, Shape shape, const std::string& where) {
   const std::vector<std::string> known = keys_of(shape);
@@ -67,9 +72,13 @@ Result<void> check_keys(const Table& line, Shape shape, const std::string& where
   std::vector<std::string> needed = shape_keys(shape).needed;
   needed.emplace_back("material");
   for (const std::string& key : needed) {
-    if (line.find(key)) continue;
+    if (line.find(key) || is_given_by_share(line, key)) continue;
     return refuse(fmt::format("{} needs '{}'", with_article(choice_name(shape)), key), where,
                   fmt::format("its keys are: {}", fmt::join(known, ", ")));
+  }
+  if (line.find("depth") && line.find("depth_share")) {
+    return refuse("the depth is given twice", line.find("depth_share")->where,
+                  "use either 'depth' or 'depth_share'");
   }
   return {};
 }
@@ -83,7 +92,10 @@ Result<void> check_given(const ObjectLine& line, const std::string& where) {
       {"height", &line.height}};
   const std::vector<std::string>& needed = shape_keys(line.shape).needed;
   for (const auto& [key, size] : sizes) {
-    if (*size || std::find(needed.begin(), needed.end(), key) == needed.end()) continue;
+    const bool is_shared = key == "depth" && line.depth_share;
+    if (*size || is_shared || std::find(needed.begin(), needed.end(), key) == needed.end()) {
+      continue;
+    }
     return refuse(fmt::format("'{}' must be a number", key), where, "write it in mm");
   }
   return {};
@@ -106,7 +118,9 @@ Result<void> check_proportions(const ObjectLine& line, const std::string& where)
 std::array<double, 3> size_of(const ObjectLine& line) {
   if (line.shape == Shape::kMesh) return {};
   const double width = line.diameter ? *line.diameter : *line.width;
-  const double depth = line.diameter ? width : *line.depth;
+  const double depth = line.diameter      ? width
+                       : line.depth_share ? *line.depth_share * width
+                                          : *line.depth;
   return {width, depth, line.height ? *line.height : width};
 }
 
@@ -262,6 +276,8 @@ const Declarations<ObjectLine>& ObjectLine::declarations() {
                "Diameter of a sphere, cylinder or capsule, or of a cone at its base.")
           .add("width", &P::width, "mm", kSize, "Width of a block or ellipsoid.")
           .add("depth", &P::depth, "mm", kSize, "Depth of a block or ellipsoid.")
+          .add("depth_share", &P::depth_share, "", Range{0.0, 1.0, true},
+               "Depth of a block or ellipsoid as a share of its width, instead of 'depth'.")
           .add("height", &P::height, "mm", kSize,
                "Height of any shape except spheres and meshes; for a capsule including both ends.")
           .add("top_diameter", &P::top_diameter, "mm", Range::between(0, kSize.high),
@@ -280,9 +296,9 @@ const ShapeKeys& shape_keys(Shape shape) {
   static const std::vector<std::pair<Shape, ShapeKeys>> all{
       {Shape::kSphere, {{"diameter"}, {}}},
       {Shape::kCylinder, {{"diameter", "height"}, {}}},
-      {Shape::kBlock, {{"width", "depth", "height"}, {}}},
+      {Shape::kBlock, {{"width", "depth", "height"}, {"depth_share"}}},
       {Shape::kCone, {{"diameter", "height"}, {"top_diameter"}}},
-      {Shape::kEllipsoid, {{"width", "depth", "height"}, {}}},
+      {Shape::kEllipsoid, {{"width", "depth", "height"}, {"depth_share"}}},
       {Shape::kCapsule, {{"diameter", "height"}, {}}},
       {Shape::kMesh, {{"file"}, {"scale"}}}};
   return std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == shape; })

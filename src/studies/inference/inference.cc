@@ -149,9 +149,7 @@ Result<Inference> infer(const SweepResults& results, const Targets& targets) {
 }
 
 Value value_at_place(const SweepDescription& sweep, std::size_t unknown, double place) {
-  std::vector<double> places(sweep.unknowns.size(), 0.5);
-  places[unknown] = place;
-  return point_at(sweep, places)[unknown]->value;
+  return place_at(sweep, sweep.unknowns[unknown], place).value;
 }
 
 std::vector<SweepPoint> posterior_points(const SweepDescription& sweep, const Posterior& posterior,

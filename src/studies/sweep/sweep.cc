@@ -1,9 +1,12 @@
 #include "studies/sweep/sweep.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
+#include "base/core/contains.h"
 #include "studies/sweep/sobol.h"
 #include "studies/sweep/sweep_points.h"
 
@@ -99,14 +102,48 @@ Result<std::vector<Unknown>> read_unknowns(const Table& file) {
   return unknowns;
 }
 
+// Whether a system may have both.
+bool share_a_system(const UnknownParameters& a, const UnknownParameters& b) {
+  return a.systems.empty() || b.systems.empty() ||
+         std::any_of(a.systems.begin(), a.systems.end(),
+                     [&](const std::string& system) { return b.is_of(system); });
+}
+
 Result<void> check_keys(const std::vector<Unknown>& unknowns) {
-  std::set<std::string> seen;
+  std::map<std::string, std::vector<const Unknown*>> seen;
   for (const Unknown& unknown : unknowns) {
     for (const std::string& key : unknown.parameters.key) {
-      if (seen.insert(key).second) continue;
-      return refuse_unknown(unknown, "varies '" + key + "', which is already varied",
-                            "use each key once");
+      for (const Unknown* other : seen[key]) {
+        if (!share_a_system(other->parameters, unknown.parameters)) continue;
+        return refuse_unknown(unknown, "varies '" + key + "', which is already varied",
+                              "use each key once for each system");
+      }
+      seen[key].push_back(&unknown);
     }
+  }
+  return {};
+}
+
+// The number of values among which equal places choose equal numbers; 0: a range of real numbers.
+std::size_t count_of_values(const UnknownParameters& unknown) {
+  if (!unknown.is_range()) return unknown.values.size();
+  return unknown.whole ? static_cast<std::size_t>(*unknown.high - *unknown.low) + 1 : 0;
+}
+
+Result<void> check_increasing(const SweepDescription& sweep) {
+  std::map<std::string, std::size_t> counts;
+  for (const Unknown& unknown : sweep.unknowns) {
+    const std::string& group = unknown.parameters.increasing;
+    if (group.empty()) continue;
+    if (has_levels(sweep.sweep.design)) {
+      return refuse_unknown(
+          unknown, "is increasing, but '" + choice_name(sweep.sweep.design) + "' has levels",
+          R"(use the design "sobol" or "latin_hypercube")");
+    }
+    const std::size_t count = count_of_values(unknown.parameters);
+    if (counts.emplace(group, count).first->second == count) continue;
+    return refuse_unknown(unknown, "has more or fewer values than the others of '" + group + "'",
+                          "use the same number of values");
   }
   return {};
 }
@@ -138,6 +175,11 @@ Result<void> check_design(const SweepDescription& sweep, const std::string& wher
     return refuse("Sobol' points support at most " + std::to_string(kSobolDimensions) + " unknowns",
                   "use fewer unknowns, or the design \"latin_hypercube\"");
   }
+  if (sweep.sweep.stock && *sweep.sweep.stock < sweep.sweep.recordings) {
+    return refuse("the stock has fewer recordings than a point",
+                  "set 'stock' to at least " + std::to_string(sweep.sweep.recordings));
+  }
+  SOMATO_TRY_VOID(check_increasing(sweep));
   if (point_count(sweep) > kMostSweepPoints) {
     return refuse("the sweep has more than " + std::to_string(kMostSweepPoints) + " points",
                   "use fewer levels, or another design");
@@ -175,8 +217,16 @@ const Declarations<SweepParameters>& SweepParameters::declarations() {
           .add("recordings", &P::recordings, "", Range::between(1, 1e6),
                "Number of independent recordings among the pairs.")
           .add("seed", &P::seed, "", Range::any(),
-               "First seed of exploration and training, and the seed of latin_hypercube.");
+               "First seed of exploration and training, and the seed of latin_hypercube.")
+          .add("stock", &P::stock, "", Range::between(1, 1e6),
+               "Number of recordings with true values that are explored once, with each setting "
+               "that changes what is explored; each point plays its sensors on recordings of this "
+               "stock. Automatic: each point explores.");
   return declared;
+}
+
+bool UnknownParameters::is_of(const std::string& system) const {
+  return systems.empty() || contains(systems, system);
 }
 
 const Declarations<UnknownParameters>& UnknownParameters::declarations() {
@@ -198,7 +248,12 @@ const Declarations<UnknownParameters>& UnknownParameters::declarations() {
           .add("levels", &P::levels, "", Range::between(2, 1e4),
                "In one_at_a_time and full_factorial: number of values from low to high, 5 by "
                "default. In the other designs: number of parts into which the results divide the "
-               "range; by default the square root of the number of points, at most 8.");
+               "range; by default the square root of the number of points, at most 8.")
+          .add("systems", &P::systems, "", Range::any(),
+               "Names of the systems to which it applies; empty: all.")
+          .add("increasing", &P::increasing, "", Range::any(),
+               "Name of a group of unknowns whose places in their ranges, or among their values, "
+               "increase from the first in the file to the last: those of a point are sorted.");
   return declared;
 }
 

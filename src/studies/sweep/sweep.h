@@ -44,6 +44,7 @@ struct SweepParameters {
   std::size_t pairs = 6;
   std::size_t recordings = 2;
   std::uint64_t seed = 2011;
+  std::optional<std::size_t> stock;
 
   static const Declarations<SweepParameters>& declarations();
 };
@@ -58,6 +59,11 @@ struct UnknownParameters {
   UnknownScale scale = UnknownScale::kLinear;
   bool whole = false;
   std::optional<std::size_t> levels;
+  std::vector<std::string> systems;
+  std::string increasing;
+
+  /// Whether it has this key in the system with that name.
+  bool is_of(const std::string& system) const;
 
   /// Whether it is a range, from low to high.
   bool is_range() const { return low.has_value(); }
@@ -84,8 +90,9 @@ inline constexpr std::size_t kMostSweepPoints = std::size_t{1} << 20;
 
 /// Reads a sweep. Errors (kUsage) with their location: no table [sweep], no unknowns; unknown keys;
 /// an unknown without key or text, without values and range, or with both; a range that is empty,
-/// or logarithmic and not above 0; a duplicate value or key; keys that the design does not use;
-/// more than kMostSweepPoints points.
+/// or logarithmic and not above 0; a duplicate value, or a key twice for one system; keys that the
+/// design does not use; increasing unknowns with different numbers of values; a stock with fewer
+/// recordings than a point; more than kMostSweepPoints points.
 Result<SweepDescription> read_sweep(const Table& file);
 
 }  // namespace somato

@@ -39,6 +39,14 @@ bool has_module(const Table& file, const std::string& name) {
   return modules && table_in(*modules, name);
 }
 
+std::string name_of_system(const Table& file) {
+  const Table* study = table_in(file, "study");
+  const Table::Entry* name = study ? study->find("name") : nullptr;
+  const auto* value = name ? std::get_if<Value>(&name->content) : nullptr;
+  const auto* text = value ? std::get_if<std::string>(&value->content) : nullptr;
+  return text ? *text : "";
+}
+
 // Whether a key is of the exploration, or of a module that the system has.
 bool is_of_system(const Table& file, const std::vector<std::string>& names) {
   return names.size() < 2 || names.front() != "module" || has_module(file, names[1]);
@@ -46,8 +54,9 @@ bool is_of_system(const Table& file, const std::vector<std::string>& names) {
 
 Table changes_at(const SweepDescription& sweep, const SweepPoint& point, const Table& file) {
   Table changes;
+  const std::string system = name_of_system(file);
   for (std::size_t i = 0; i < point.size(); ++i) {
-    if (!point[i]) continue;
+    if (!point[i] || !sweep.unknowns[i].parameters.is_of(system)) continue;
     const Unknown& unknown = sweep.unknowns[i];
     for (const std::string& key : unknown.parameters.key) {
       const std::vector<std::string> names = split_key(key);
@@ -123,10 +132,16 @@ Result<std::string> own_values_of(const std::vector<NamedFile>& files, const Unk
     const bool is_known = any_has(files, split_key(key));
     for (const NamedFile& file : files) {
       if (is_known && !is_of_system(file.content, split_key(key))) continue;
+      if (!unknown.parameters.is_of(name_of_system(file.content))) continue;
       auto value = own_value(file.content, key, unknown.where, explore_defaults);
       if (!value) return value;
       if (!contains(values, *value)) values.push_back(std::move(*value));
     }
+  }
+  if (values.empty()) {
+    return fail(ErrorKind::kUsage,
+                "the unknown '" + unknown.name + "' has no effect on any of its systems",
+                unknown.where, "name systems that have its keys");
   }
   std::string text;
   for (const std::string& value : values) text += (text.empty() ? "" : ", ") + value;
@@ -185,6 +200,15 @@ Result<void> check_systems(const SweepDescription& sweep, const std::vector<Name
               claim->where, "write [[claim]] in the files of the systems, or sweep one system");
 }
 
+Result<void> check_names_of_systems(const Unknown& unknown,
+                                    const std::vector<std::string>& systems) {
+  for (const std::string& system : unknown.parameters.systems) {
+    if (contains(systems, system)) continue;
+    return fail(unknown_name("system of the sweep", system, unknown.where, systems));
+  }
+  return {};
+}
+
 // Adds the system, with the changes of the sweep.
 Result<void> add_system(const NamedFile& system, const std::vector<NamedFile>& all,
                         SystemSweep& planned, ReproductionPlan& plan) {
@@ -219,6 +243,7 @@ Result<SystemSweep> plan_sweep(const SweepDescription& sweep, const std::vector<
     SOMATO_TRY_VOID(add_system(system, systems, planned, plan));
   }
   for (const Unknown& unknown : sweep.unknowns) {
+    SOMATO_TRY_VOID(check_names_of_systems(unknown, planned.systems));
     SOMATO_TRY(auto own, own_values_of(planned.files, unknown, explore_defaults));
     planned.own_values.push_back(std::move(own));
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "base/core/elementary.h"
@@ -108,6 +110,22 @@ std::vector<std::vector<double>> fractions_of(const SweepDescription& sweep) {
   return fractions;
 }
 
+// The places of the unknowns of each group in ascending order.
+std::vector<double> with_sorted_groups(const SweepDescription& sweep, std::vector<double> places) {
+  std::map<std::string, std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::string& group = sweep.unknowns[i].parameters.increasing;
+    if (!group.empty()) groups[group].push_back(i);
+  }
+  for (const auto& [name, unknowns] : groups) {
+    std::vector<double> of_group;
+    for (const std::size_t i : unknowns) of_group.push_back(places[i]);
+    std::sort(of_group.begin(), of_group.end());
+    for (std::size_t i = 0; i < unknowns.size(); ++i) places[unknowns[i]] = of_group[i];
+  }
+  return places;
+}
+
 SweepCell part_cell(const UnknownParameters& range, std::size_t part, std::size_t parts) {
   const double begin = static_cast<double>(part) / static_cast<double>(parts);
   const double end = static_cast<double>(part + 1) / static_cast<double>(parts);
@@ -152,12 +170,16 @@ std::vector<SweepPoint> sweep_points(const SweepDescription& sweep) {
   return points;
 }
 
+SweepPlace place_at(const SweepDescription& sweep, const Unknown& unknown, double place) {
+  const std::size_t cells = cell_count(unknown.parameters, *sweep.sweep.points);
+  return {value_at(unknown.parameters, place), part_of(place, cells)};
+}
+
 SweepPoint point_at(const SweepDescription& sweep, const std::vector<double>& places) {
   SweepPoint point;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const UnknownParameters& unknown = sweep.unknowns[i].parameters;
-    const std::size_t cells = cell_count(unknown, *sweep.sweep.points);
-    point.emplace_back(SweepPlace{value_at(unknown, places[i]), part_of(places[i], cells)});
+  const std::vector<double> sorted = with_sorted_groups(sweep, places);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    point.emplace_back(place_at(sweep, sweep.unknowns[i], sorted[i]));
   }
   return point;
 }

@@ -33,8 +33,11 @@ std::size_t point_count(const SweepDescription& sweep);
 /// The points of a sweep that was read, in their order.
 std::vector<SweepPoint> sweep_points(const SweepDescription& sweep);
 
+/// An unknown of the sweep at this place in its range or among its values, from 0 to 1.
+SweepPlace place_at(const SweepDescription& sweep, const Unknown& unknown, double place);
+
 /// The point of a sweep whose unknowns all vary at once at these places in their ranges or among
-/// their values, each from 0 to 1.
+/// their values, each from 0 to 1. The places of increasing unknowns are sorted.
 SweepPoint point_at(const SweepDescription& sweep, const std::vector<double>& places);
 
 /// The values of an unknown of the sweep, or the parts of its range, ascending.

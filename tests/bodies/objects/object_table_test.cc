@@ -62,6 +62,25 @@ TEST(ObjectTable, EveryShapeHasItsOwnKeys) {
       (Size{40, 40, 40}));
 }
 
+TEST(ObjectTable, TheDepthMayBeAShareOfTheWidth) {
+  const auto with = [](const std::string& shape, const std::string& keys) {
+    return fmt::format(R"({{ shape = "{}", {}, height = 110, material = "wood" }})", shape, keys);
+  };
+  EXPECT_EQ(only_object(with("block", "width = 80, depth_share = 0.75")).size, (Size{80, 60, 110}));
+  EXPECT_EQ(only_object(with("ellipsoid", "width = 80, depth_share = 1.0")).size,
+            (Size{80, 80, 110}));
+  expect_says(error_of_object(with("block", "width = 80, depth = 60, depth_share = 0.75")),
+              {"the depth is given twice", "either 'depth' or 'depth_share'"});
+  for (const char* share : {"0.0", "1.01", "nan"}) {
+    const std::string keys = fmt::format("width = 80, depth_share = {}", share);
+    expect_says(error_of_object(with("block", keys)), {"'depth_share' must be"});
+  }
+  expect_says(error_of_object(with("block", "width = 80, depth_share = \"automatic\"")),
+              {"'depth' must be a number"});
+  expect_says(error_of_object(with("cylinder", "diameter = 80, depth_share = 0.5")),
+              {"key of a cylinder 'depth_share'"});
+}
+
 TEST(ObjectTable, AConeMayBeCutOff) {
   const Object pointed =
       only_object(R"({ shape = "cone", diameter = 60, height = 90, material = "wood" })");

@@ -142,6 +142,111 @@ TEST_F(Sweep, InfersSettingsFromObservedValues) {
   expect_page_of_inference(json);
 }
 
+// Settings of sensors are played on two recordings that are explored once.
+class StockedSweep : public Sweep {
+ protected:
+  void write_stocked(const std::string& more = "", const std::string& head = "stock = 2\n") const {
+    write_system();
+    write("over.toml", "[sweep]\npairs = 2\nrecordings = 2\ndesign = 'sobol'\npoints = 4\n" + head +
+                           "[unknown.bits]\nkey = 'explore.hardness_probe.potentiometer_bits'\n"
+                           "text = 'Not given.'\nvalues = [4, 12]\n"
+                           "[unknown.noise]\nkey = 'explore.hardness_probe.force_noise'\n"
+                           "text = 'Not given.'\nvalues = [0.0, 0.04]\n" +
+                           more);
+  }
+
+  // The time of exploring stands on standard error.
+  void explore_and_play(const Words& words) const {
+    const ProgramRun done = run(words);
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+  }
+
+  Json values_at(const std::string& out, std::size_t point) const {
+    return Json::parse(read(out + "/sweep.json"))["points"][point]["claims"][0]["values"];
+  }
+};
+
+TEST_F(StockedSweep, FindsWhatASweepThatExploresFinds) {
+  write_stocked("", "");
+  explore_and_play(sweep("explored"));
+  write_stocked();
+  explore_and_play(sweep("played"));
+  EXPECT_EQ(files("explored/recordings").size(), 8U);
+  const Words stock = files("played/stock");
+  EXPECT_EQ(stock.size(), 4U) << "two recordings with each noise of the force";
+  for (std::size_t point = 0; point < 4; ++point) {
+    EXPECT_EQ(values_at("played", point), values_at("explored", point));
+  }
+  EXPECT_NE(values_at("played", 0), values_at("played", 1)) << "the bits matter";
+  const auto made = times("played/stock");
+  write_stocked("", "stock = 3\n");
+  explore_and_play(sweep("played"));
+  EXPECT_EQ(files("played/stock"), stock) << "the points need no third recording";
+  EXPECT_EQ(times("played/stock"), made);
+}
+
+TEST_F(StockedSweep, PartsGiveTheSameBytes) {
+  write_stocked();
+  explore_and_play(sweep("one"));
+  for (const char* part : {"3/3", "1/3", "2/3"}) explore_and_play(sweep("three", {"--part", part}));
+  expect_same("one", "three");
+  EXPECT_EQ(files("one/stock"), files("three/stock"));
+}
+
+TEST_F(StockedSweep, DrawsTakeRecordingsInTurnWithNoiseOfTheirOwn) {
+  write_stocked("", "stock = 3\n");
+  write("targets.toml",
+        "[inference]\naccepted = 0.5\nbodies = 2\npairs = 2\ntruths = 2\n"
+        "[[target]]\ntext = 'Four are named.'\nsystem = 'press'\nmetric = 'classes_separated'\n"
+        "observed = 4\nscale = 1\n");
+  explore_and_play(sweep("out", {"--targets", "targets.toml"}));
+  const Json points = Json::parse(read("out/sweep.json"))["points"];
+  // Draw d and recording r take number (2 d + r) of three, and the seeds follow each other.
+  const std::vector<std::vector<std::string>> expected{
+      {"2011-2011", "2012-2012"}, {"2013-2013", "2011-2014"}, {"2012-2015", "2013-2016"}};
+  for (std::size_t draw = 0; draw < expected.size(); ++draw) {
+    for (std::size_t r = 0; r < 2; ++r) {
+      EXPECT_EQ(points[draw]["recordings"][r], "hardness-stock-" + expected[draw][r]);
+    }
+  }
+  EXPECT_FALSE(files("out/fresh/stock").empty());
+}
+
+// One grasp of each of two tubes, of which the second has the size of the first or another one.
+TEST_F(StockedSweep, TablesOfObjectsArePutTogether) {
+  write("tubes.toml",
+        "[study]\nname = 'tubes'\nlabel = 'object'\nprotocols = ['train_is_test']\n"
+        "[module.joints]\ntype = 'channel'\nchannel = 'joints'\nshape = [11]\n"
+        "[module.closed]\ntype = 'last'\ninput = 'joints'\n"
+        "[module.map]\ntype = 'som'\ninput = 'closed'\nrows = 3\ncolumns = 3\niterations = 50\n"
+        "[explore]\nbody = 'lucs3'\nexplorations = 1\n"
+        "[[claim]]\ntext = 'Both are named.'\nmetric = 'accuracy'\nat_least = 1\n");
+  const std::string tube =
+      " = { shape = 'cylinder', diameter = 40, height = 140, material = 'wood' }\n";
+  write(
+      "over.toml",
+      "[sweep]\npairs = 1\nrecordings = 1\ndesign = 'full_factorial'\nstock = 1\n"
+      "[explore.object]\nfirst" +
+          tube + "second" + tube +
+          "[unknown.size]\nkey = 'explore.object.second.diameter'\ntext = 'x'\nvalues = [40, 70]\n"
+          "[unknown.noise]\nkey = 'explore.simulation.joint_noise'\ntext = 'x'\nvalues = [0.1]\n");
+  explore_and_play({"sweep", "tubes.toml", "--over", "over.toml", "--out", "out"});
+  EXPECT_EQ(files("out/stock").size(), 2U) << "equal tubes share their grasps";
+  const Json points = Json::parse(read("out/sweep.json"))["points"];
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[1]["claims"][0]["values"][0], 1.0) << "tubes of 40 and 70 mm are separated";
+}
+
+TEST_F(StockedSweep, RefusesUnknownsThatCannotBeInAStock) {
+  write_stocked(
+      "[unknown.force]\nkey = 'explore.hardness_probe.force'\ntext = 'x'\nlow = 1.0\nhigh = 2.0\n");
+  const ProgramRun refused = run(sweep("out"));
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_NE(refused.err.find("the unknown 'force' changes what is explored"), std::string::npos)
+      << refused.err;
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
 TEST_F(Sweep, PartsInAnyOrderOneKilledAreTheSameBytesAsOneRun) {
   write_system(std::to_string(testing::fewer_if_sanitized(8000)));
   write_sweep();

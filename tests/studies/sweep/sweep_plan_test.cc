@@ -87,6 +87,33 @@ TEST(SweepPlan, ClaimsAboutAnotherSystemAreNotJudged) {
   EXPECT_EQ(sweep->not_judged, std::vector<std::string>{"Better."});
 }
 
+TEST(SweepPlan, AnUnknownMayBeOfOneSystem) {
+  std::string other = kSweptSystem;
+  other.replace(other.find("\"press\""), 7, "\"other\"");
+  const auto plan_with = [&](const std::string& unknowns) {
+    const auto description = test::read(sweep_toml("full_factorial", unknowns));
+    return plan_sweep(description.value(),
+                      {{"press", parse_toml(kSweptSystem, "press.toml").value()},
+                       {"other", parse_toml(other, "other.toml").value()}},
+                      {{"explore.press.step", "0.5"}});
+  };
+  const auto sweep = plan_with(unknown("explore.press.step", "[0.25]") +
+                               "systems = ['other']\n[unknown.rows]\nkey = 'module.map.rows'\n"
+                               "text = 'x'\nvalues = [4]\n");
+  ASSERT_TRUE(sweep) << to_string(sweep.error());
+  EXPECT_EQ(sweep->own_values, (std::vector<std::string>{"0.5", "5"}));
+  const auto plan = plan_of_point(*sweep, sweep_points(sweep->sweep)[0]).value();
+  ASSERT_EQ(plan.parts.size(), 4U);
+  for (const ReproductionPart& part : plan.parts) {
+    EXPECT_EQ(explore_settings(part.explore).size(), part.system == "other" ? 2U : 1U);
+    EXPECT_EQ(setting(part, "map", "rows"), "4");
+  }
+  const auto unnamed = plan_with(unknown("module.map.rows", "[3]") + "systems = ['othr']\n");
+  ASSERT_FALSE(unnamed);
+  EXPECT_EQ(unnamed.error().where, "sweep.toml:3");
+  EXPECT_NE(to_string(unnamed.error()).find("did you mean 'other'?"), std::string::npos);
+}
+
 TEST(SweepPlan, RefusesKeysThatTheSystemDoesNotHave) {
   const auto refused = [](const std::string& key, const std::string& says) {
     const auto sweep = planned(sweep_toml("one_at_a_time", unknown(key, "[1]")));

@@ -156,5 +156,31 @@ TEST(PlaceInRange, IsOnItsScale) {
   EXPECT_FALSE(place_in_range(UnknownParameters{}, 1.0));
 }
 
+// Lists of the same length, the second one later by two.
+const std::string kIncreasing =
+    "[unknown.small]\nkey='module.map.a'\ntext='x'\nvalues=[1, 2, 3]\nincreasing='sizes'\n"
+    "[unknown.rate]\nkey='module.map.b'\ntext='x'\nlow=0.0\nhigh=1.0\n"
+    "[unknown.large]\nkey='module.map.c'\ntext='x'\nvalues=[3, 4, 5]\nincreasing='sizes'\n";
+
+TEST(SweepPoints, IncreasingUnknownsShareTheirPlacesInAscendingOrder) {
+  const auto sweep = read(sweep_toml("sobol", "points = 64\n" + kIncreasing)).value();
+  const SweepPoint point = point_at(sweep, {0.9, 0.25, 0.1});
+  EXPECT_EQ(whole(point[0]->value), 1);
+  EXPECT_EQ(number(point[1]->value), 0.25);
+  EXPECT_EQ(whole(point[2]->value), 5);
+  EXPECT_EQ(point_at(sweep, {0.1, 0.25, 0.9})[2]->value, point[2]->value);
+  EXPECT_EQ(whole(place_at(sweep, sweep.unknowns[0], 0.9).value), 3) << "a place of one unknown";
+  // Three of the nine pairs of places are equal, and each other pair is that of two.
+  std::map<std::pair<std::int64_t, std::int64_t>, int> seen;
+  for (const SweepPoint& one : sweep_points(sweep)) {
+    const std::pair sizes{whole(one[0]->value), whole(one[2]->value)};
+    EXPECT_GE(sizes.second, sizes.first + 2);
+    ++seen[sizes];
+  }
+  EXPECT_EQ(seen.size(), 6U);
+  EXPECT_NEAR(seen.at({1, 5}), 64 * 2 / 9.0, 3.0);
+  EXPECT_NEAR(seen.at({2, 4}), 64 / 9.0, 3.0);
+}
+
 }  // namespace
 }  // namespace somato

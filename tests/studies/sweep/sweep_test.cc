@@ -75,6 +75,17 @@ TEST(Sweep, RefusesWhatIsNone) {
       {one(text + "values = [1]\n[unknown.again]\nkey = 'module.map.rows'\ntext = 'x'\nvalues = "
                   "[2]\n"),
        "sweep.toml:7", "already varied"},
+      {one(text + "values = [1]\nsystems = ['a', 'b']\n[unknown.again]\nkey = 'module.map.rows'\n"
+                  "text = 'x'\nvalues = [2]\nsystems = ['b']\n"),
+       "sweep.toml:8", "already varied"},
+      {one(text + "values = [1]\nincreasing = 'a'\n"), "sweep.toml:3", "has levels"},
+      {sweep_toml("sobol",
+                  "points = 8\n[unknown.a]\nkey = 'module.map.a'\ntext = 'x'\nvalues = "
+                  "[1, 2]\nincreasing = 'a'\n[unknown.b]\nkey = 'module.map.b'\ntext = "
+                  "'x'\nvalues = [1]\nincreasing = 'a'\n"),
+       "sweep.toml:9", "more or fewer values"},
+      {sweep_toml("one_at_a_time", "recordings = 3\nstock = 2\n" + rate()), "sweep.toml:1",
+       "fewer recordings than a point"},
       {sweep_toml("sobol", rate()), "sweep.toml:1", "requires 'points'"},
       {sweep_toml("latin_hypercube", rate()), "sweep.toml:1", "requires 'points'"},
       {sweep_toml("full_factorial", "points = 8\n" + rate()), "sweep.toml:1",
@@ -86,6 +97,17 @@ TEST(Sweep, RefusesWhatIsNone) {
     EXPECT_EQ(sweep.error().where.substr(0, refused.where.size()), refused.where) << refused.toml;
     EXPECT_NE(sweep.error().what.find(refused.what), std::string::npos) << sweep.error().what;
   }
+}
+
+TEST(Sweep, AKeyMayHaveAnUnknownForEachSystem) {
+  const std::string of = "key = 'explore.simulation.placement_noise'\ntext = 'x'\nvalues = [0.5]\n";
+  const auto sweep = read(sweep_toml("one_at_a_time", "stock = 3\n[unknown.a]\n" + of +
+                                                          "systems = ['one']\n[unknown.b]\n" + of +
+                                                          "systems = ['two', 'three']\n"));
+  ASSERT_TRUE(sweep) << to_string(sweep.error());
+  EXPECT_EQ(sweep->sweep.stock, 3U);
+  EXPECT_TRUE(sweep->unknowns[1].parameters.is_of("three"));
+  EXPECT_FALSE(sweep->unknowns[1].parameters.is_of("one"));
 }
 
 TEST(Sweep, RefusesMorePointsOrDimensionsThanThereAre) {
