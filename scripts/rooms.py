@@ -15,7 +15,7 @@ BESIDE_ROOMS = ("program/main.cc", "program/version.h")
 
 # The entrance headers, by the folder of public headers that opens everything they include.
 ENTRANCES = {"som.h": "drawing", "recording.h": "recording", "system.h": "graph", "study.h": "studies",
-             "explore.h": "simulation"}
+             "explore.h": "simulation", "c/c_system.h": "c"}
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,7 @@ REASONS = {
     "sets up the machine": r"(#.*|git clone .*|cd somato|\./dev( [a-z-]+)*( [\w/.-]+)?( *#.*)?"
                            r"|sudo scripts/other_systems\.sh( \d+)?( *#.*)?)",
     "needs docker": r"(#.*|docker .*)",
+    "needs an installed Somato": r"(cmake .*|out/c/user .*)",
     "needs data of others": r"(#.*|.*--data .*|.*\"\$[A-Z]+\".*|.*\\|  .*)",
 }
 TIMEOUT = 600  # seconds for a command

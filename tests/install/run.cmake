@@ -20,6 +20,21 @@ function(build_and_run folder)
   run(${WORK}/${folder}/user)
 endfunction()
 
+# The example in C answers two frames of a system that the installed program has trained.
+function(example_in_c_answers)
+  set(tree ${SOURCE}/../..)
+  run(${prefix}/bin/somato run icub_joints --data ${tree}/examples/synthetic_grasps --seeds 1 --out ${WORK}/icub)
+  run(${CMAKE_COMMAND} -S ${tree}/examples/c -B ${WORK}/c -G Ninja -DCMAKE_CXX_COMPILER=${COMPILER}
+      -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${prefix})
+  run(${CMAKE_COMMAND} --build ${WORK}/c)
+  file(WRITE ${WORK}/frames.txt "1 2 3 4 5 6 7 8 9\n\n10 20 30 40 50 60 70 80 90\n")
+  execute_process(COMMAND ${WORK}/c/user ${WORK}/icub/system.somato INPUT_FILE ${WORK}/frames.txt
+                  OUTPUT_VARIABLE answers COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT answers MATCHES "^[a-z_]+ [0-9.e+]+\n\n[a-z_]+ [0-9.e+]+\n$")
+    message(FATAL_ERROR "The example in C printed: ${answers}")
+  endif()
+endfunction()
+
 # refused(FOLDER TEXT): find_package says TEXT
 function(refused folder text)
   user_project(${folder})
@@ -56,6 +71,7 @@ if(SIMULATION)
     endif()
   endforeach()
   build_and_run(simulation)
+  example_in_c_answers()
   # Without the engine that came along, if one did, only who wants simulated bodies is refused.
   file(GLOB_RECURSE engine ${prefix}/lib*/libmujoco*)
   if(engine)
@@ -70,3 +86,6 @@ else()
   refused(simulation "This somato was built without simulated bodies")
 endif()
 build_and_run(maps)
+user_project(ros2_node)
+run(${configure})
+run(${CMAKE_COMMAND} --build ${WORK}/ros2_node)

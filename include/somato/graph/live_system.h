@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "somato/core/result.h"
+#include "somato/core/signal.h"
 #include "somato/graph/system.h"
 
 namespace somato {
@@ -35,6 +36,9 @@ class LiveSystem {
   /// The channels of a frame, in the order of step().
   const std::vector<std::string>& channels() const;
 
+  /// The number of elements of each of these channels.
+  const std::vector<std::size_t>& elements() const;
+
   /// Begins an exploration. `frame_rate` is its number of frames per second, or 0 if unknown.
   void start(double frame_rate = 0.0);
 
@@ -50,6 +54,10 @@ class LiveSystem {
   /// The most similar of these neurons, such as those that have a label. Errors as for winner().
   /// Throws InvalidArgument before the first frame, or if there are none.
   Result<std::size_t> winner_among(std::span<const std::size_t> neurons);
+
+  /// The input of the map for the exploration so far; valid until the next call. Errors as for
+  /// winner(). Throws InvalidArgument before the first frame.
+  Result<SignalView> input();
 
  private:
   class Impl;

@@ -42,9 +42,13 @@ InputAnswer AnswerReader::answer(const SignalView& input, std::size_t winner,
 }
 
 InputAnswer AnswerReader::answer(const SignalView& input) const {
+  SomWorkspace workspace;
+  return answer(input, workspace);
+}
+
+InputAnswer AnswerReader::answer(const SignalView& input, SomWorkspace& workspace) const {
   const std::vector<std::size_t>& labelled = answer_.labels.labelled();
   require(!labelled.empty(), "an answer needs a neuron with a name");
-  SomWorkspace workspace;
   const std::size_t winner = som_.winner(input, workspace);
   const std::size_t named = som_.winner_among(labelled, input, workspace);
   return answer(input, winner, som_.distance(input, winner, workspace), named, workspace);

@@ -8,6 +8,7 @@
 #include "somato/core/samples.h"
 #include "somato/graph/answers.h"
 #include "somato/graph/system_model.h"
+#include "somato/maps/som.h"
 
 namespace somato {
 
@@ -27,6 +28,9 @@ class AnswerReader {
 
   /// Throws InvalidArgument if no neuron has a name.
   InputAnswer answer(const SignalView& input) const;
+
+  /// The same without an allocation, once the memory of `workspace` is large enough.
+  InputAnswer answer(const SignalView& input, SomWorkspace& workspace) const;
 
   /// The same for each of the inputs, in their order.
   std::vector<InputAnswer> answers(const Samples& inputs, std::size_t threads) const;

@@ -60,16 +60,17 @@ class LiveSystem::Impl {
   Result<void> step(std::span<const std::span<const float>> frame);
   Result<std::size_t> winner();
   Result<std::size_t> winner_among(std::span<const std::size_t> neurons);
+  Result<SignalView> input();
   const std::vector<std::string>& channels() const { return channels_; }
+  const std::vector<std::size_t>& elements() const { return elements_; }
 
  private:
-  Result<SignalView> input();
-
   const Som& som_;
   std::size_t input_;  // the module whose value the map reads
   Walk walk_;
   std::vector<std::string> channels_;
-  Exploration present_;  // of one frame
+  std::vector<std::size_t> elements_;  // of each channel
+  Exploration present_;                // of one frame
   std::optional<FollowedSum> followed_;
   std::optional<SumReading> sum_;
   SomWorkspace workspace_;
@@ -93,6 +94,7 @@ Result<void> LiveSystem::Impl::open(const System& system) {
       if (source == nullptr || source->channel() != name) continue;
       channel.frames = Matrix<float>(1, source->channel_elements());
     }
+    elements_.push_back(channel.frames.columns());
     present_.channels.push_back(std::move(channel));
   }
   return {};
@@ -153,6 +155,10 @@ const std::vector<std::string>& LiveSystem::channels() const {
   return impl_->channels();
 }
 
+const std::vector<std::size_t>& LiveSystem::elements() const {
+  return impl_->elements();
+}
+
 void LiveSystem::start(double frame_rate) {
   impl_->start(frame_rate);
 }
@@ -167,6 +173,10 @@ Result<std::size_t> LiveSystem::winner() {
 
 Result<std::size_t> LiveSystem::winner_among(std::span<const std::size_t> neurons) {
   return impl_->winner_among(neurons);
+}
+
+Result<SignalView> LiveSystem::input() {
+  return impl_->input();
 }
 
 }  // namespace somato
