@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hardware/emulation/ssc32_board.h"
+#include "hardware/boards/ssc32_board.h"
 #include "hardware/protocols/anyskin_frame.h"
 #include "hardware/protocols/number_line.h"
 #include "hardware/protocols/sensor_frame.h"

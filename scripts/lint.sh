@@ -64,6 +64,7 @@ scripts/setup.sh build test
 check 'format' check_format
 check 'rooms' python3 scripts/check_rooms.py
 check 'includes' python3 scripts/check_includes.py
+check 'names of a wing' python3 scripts/check_names.py
 check 'mirrored tests' python3 scripts/check_mirrors.py
 check 'recipes' python3 scripts/recipes.py --check
 check 'house rules' python3 scripts/check_text.py

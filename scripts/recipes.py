@@ -4,6 +4,8 @@ the tests that they name.
 
 usage: ./dev recipes [NAME...]      the recipes of these names, such as command; default: all
        ./dev recipes --check        only whether the changes of all recipes apply to this tree
+       ./dev recipes --compile [NAME...]   apply the changes, and check the sources that they touch with the compiler,
+                                    without building anything
 """
 
 import argparse
@@ -12,6 +14,7 @@ import re
 import shutil
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -23,6 +26,7 @@ DIFF = re.compile(r"^```diff\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 TESTS = re.compile(r"^Tests: `\./dev test ([^`]+)`$", re.MULTILINE)
 NEW_FILE = re.compile(r"^\+\+\+ b/(.+)$", re.MULTILINE)
 MOST_PLACES = 6
+COMPILER = os.environ.get("CXX", "clang++-19")
 CONTEXT = 1  # lines around a change that must be as shown
 
 # Pages that are output of the program: a command, and the page.
@@ -97,6 +101,31 @@ def build(tree, groups):
         ["cmake", "--build", "build/dev", "--target", "somato_program", *targets]))
 
 
+def is_compiled(tree, source, generated):
+    """Whether the compiler accepts a source of the copy; it prints what it does not."""
+    folders = [tree / "include", tree / "src", tree / "tests", tree / "program", generated]
+    return subprocess.run([COMPILER, "-std=gnu++20", "-fsyntax-only", "-DFMT_SHARED",
+                           *(f"-I{folder}" for folder in folders), source], cwd=tree).returncode == 0
+
+
+def compile_only(recipes, tree, generated):
+    """Whether the compiler accepts all sources that the recipes touch; `generated` has headers that the build makes."""
+    copy_tree(tree)
+    if not apply_all(recipes, tree):
+        return False
+    sources = [file for recipe in recipes for file in recipe.files() if file.endswith(".cc")]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return all(list(pool.map(lambda source: is_compiled(tree, source, generated), sources)))
+
+
+def apply_all(recipes, tree):
+    for recipe in recipes:
+        if problem := apply(recipe.patch, tree):
+            print(f"{recipe.name}: its changes do not apply\n{problem}", file=sys.stderr)
+            return False
+    return True
+
+
 def generate_pages(tree):
     subprocess.run([sys.executable, "scripts/page_metrics.py"], cwd=tree, check=True)
     for words, page in GENERATED.items():
@@ -107,10 +136,8 @@ def generate_pages(tree):
 def follow(recipes, tree):
     """Whether the recipes, all in one copy, build and pass their tests."""
     copy_tree(tree)
-    for recipe in recipes:
-        if problem := apply(recipe.patch, tree):
-            print(f"{recipe.name}: its changes do not apply\n{problem}", file=sys.stderr)
-            return False
+    if not apply_all(recipes, tree):
+        return False
     rooms = sorted({room for recipe in recipes for room in recipe.tests})
     if not build(tree, sorted({room.split("/")[0] for room in rooms})):
         return False
@@ -124,6 +151,8 @@ def main():
     parser = argparse.ArgumentParser(prog="./dev recipes", usage=__doc__.split("usage: ")[1])
     parser.add_argument("names", nargs="*")
     parser.add_argument("--check", action="store_true")
+    parser.add_argument("--compile", action="store_true")
+    parser.add_argument("--generated", type=Path, default=TREE / "build/dev/program")
     given = parser.parse_args()
     if given.check:
         problems = check(TREE)
@@ -134,6 +163,8 @@ def main():
         if name not in known:
             parser.error(f"'{name}' is not a recipe; there are: {', '.join(known)}")
     chosen = [known[name] for name in given.names] or list(known.values())
+    if given.compile:
+        return compile_only(chosen, TREE / "build/recipes/compiled", given.generated)
     if not follow(chosen, TREE / "build/recipes/tree"):
         return False
     for recipe in chosen:

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hardware/buses/bus_scan.h"
+#include "hardware/device_files/bus_scan.h"
 #include "hardware/lines/serial_lines.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
@@ -75,7 +75,7 @@ Result<void> scan_device(const DeviceFile& file) {
   const std::size_t own = file.servo_line->baud;
   SOMATO_TRY(const bool answers, scan_and_print(file, own));
   if (answers) return {};
-  for (const std::size_t baud : devices::speeds_of(file.servo_line->bus)) {
+  for (const std::size_t baud : devices::traits_of(file.servo_line->bus).rates) {
     if (baud == own) continue;
     const auto other = scan_and_print(file, baud);
     if (!other && other.error().kind == ErrorKind::kInterrupted) return fail(other.error());

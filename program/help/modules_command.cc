@@ -82,7 +82,7 @@ std::string markdown_page() {
 }
 
 // Errors: kUsage for contradictory flags.
-Result<void> check_flags(const Arguments& arguments) {
+Result<void> check_modules_flags(const Arguments& arguments) {
   if (!arguments.has("markdown")) return {};
   for (const auto& [name, advice] :
        {std::pair("TYPE", "omit TYPE"), std::pair("json", "omit --json")}) {
@@ -94,7 +94,7 @@ Result<void> check_flags(const Arguments& arguments) {
 }
 
 Result<void> list_modules(const Arguments& arguments) {
-  SOMATO_TRY_VOID(check_flags(arguments));
+  SOMATO_TRY_VOID(check_modules_flags(arguments));
   if (arguments.has("markdown")) {
     fmt::print("{}", markdown_page());
     return {};

@@ -14,8 +14,8 @@ namespace {
 using SortedJson = nlohmann::json;
 
 // The window in which the parts of the page are drawn.
-constexpr std::size_t kWidth = 1280;
-constexpr std::size_t kHeight = 800;
+constexpr std::size_t kFigureWidth = 1280;
+constexpr std::size_t kFigureHeight = 800;
 
 ListedFigure listed(const SortedJson& one) {
   return {one.at("name"), one.at("title"), one.at("endings").get<std::vector<std::string>>()};
@@ -28,7 +28,7 @@ Result<FigurePage> FigurePage::open(const std::string& page, double width) {
   const std::string path = folder.path() + "/report.html";
   SOMATO_TRY_VOID(save_whole(path, page));
   const std::string address = fmt::format("{}#figures-only?width={}", file_address(path), width);
-  SOMATO_TRY(auto browser, HeadlessBrowser::open(address, kWidth, kHeight));
+  SOMATO_TRY(auto browser, HeadlessBrowser::open(address, kFigureWidth, kFigureHeight));
   SOMATO_TRY_VOID(browser.wait_until(
       "location.protocol === \"file:\" && document.readyState === \"complete\""));
   return FigurePage(std::move(folder), std::move(browser));

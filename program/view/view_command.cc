@@ -113,7 +113,7 @@ Result<void> check_demonstration(const Arguments& arguments) {
   return {};
 }
 
-Result<void> check_flags(const Arguments& arguments) {
+Result<void> check_view_flags(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_demonstration(arguments));
   SOMATO_TRY_VOID(check_rendering(arguments));
   const bool explores = has_body(arguments);
@@ -133,7 +133,7 @@ Result<void> check_flags(const Arguments& arguments) {
 
 // A given system is listed first, and selected.
 Result<ViewSource> read_source(const Arguments& arguments) {
-  SOMATO_TRY_VOID(check_flags(arguments));
+  SOMATO_TRY_VOID(check_view_flags(arguments));
   auto source = has_body(arguments) ? viewed_body_source(arguments) : recording_source(arguments);
   if (!source) return source;
   SOMATO_TRY_VOID(add_layout(arguments, *source));

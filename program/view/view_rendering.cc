@@ -24,8 +24,8 @@
 namespace somato::program {
 namespace {
 
-constexpr std::size_t kWidth = 1600;
-constexpr std::size_t kHeight = 900;
+constexpr std::size_t kFilmWidth = 1600;
+constexpr std::size_t kFilmHeight = 900;
 constexpr double kLongestPause = 1.0;  // s, between two moments, as in the view
 
 // The page requests the curves up to a moment that it jumps to.
@@ -122,7 +122,7 @@ class PicturedView {
 
 Result<void> save_film(PicturedView& view, const std::vector<std::size_t>& moments,
                        const std::string& path) {
-  SOMATO_TRY(auto film, Film::begin(kWidth, kHeight));
+  SOMATO_TRY(auto film, Film::begin(kFilmWidth, kFilmHeight));
   const Progress progress = terminal_progress("drawing");
   std::string frame;
   for (std::size_t i = 0; i < moments.size(); ++i) {
@@ -189,7 +189,7 @@ Result<void> render_view(const Arguments& arguments, ViewSource source) {
   SOMATO_TRY_VOID(session.command(R"({"command":"pause"})"));
   SOMATO_TRY(const auto server, ViewServer::start(session, std::move(pages)));
   SOMATO_TRY(auto browser,
-             HeadlessBrowser::open(server->start_address() + "&picture", kWidth, kHeight));
+             HeadlessBrowser::open(server->start_address() + "&picture", kFilmWidth, kFilmHeight));
   PicturedView view(session, std::move(browser), drawn.exploration);
   return is_film(path) ? save_film(view, moments, path) : save_picture(view, moment, path);
 }

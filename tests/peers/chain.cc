@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "hardware/boards/dynamixel_servos.h"
+#include "hardware/boards/feetech_servos.h"
 #include "hardware/buses/dynamixel_bus.h"
 #include "hardware/buses/feetech_bus.h"
-#include "hardware/emulation/dynamixel_servos.h"
-#include "hardware/emulation/feetech_servos.h"
 #include "hardware/protocols/anyskin_frame.h"
 #include "hardware/support/board_line.h"
 

@@ -29,7 +29,7 @@ std::uint16_t short_at(std::string_view bytes, std::size_t place) {
   return little_endian<std::uint16_t>(bytes.data() + place);
 }
 
-std::uint32_t number_at(std::string_view bytes, std::size_t place) {
+std::uint32_t zip_number_at(std::string_view bytes, std::size_t place) {
   return little_endian<std::uint32_t>(bytes.data() + place);
 }
 
@@ -57,8 +57,8 @@ Result<void> ZipReader::read_directory() {
     return bad("the archive has no list of its members");
   }
   const std::size_t count = short_at(last, end + 10);
-  const std::uint32_t size = number_at(last, end + 12);
-  const std::size_t begin = number_at(last, end + 16);
+  const std::uint32_t size = zip_number_at(last, end + 12);
+  const std::size_t begin = zip_number_at(last, end + 16);
   std::size_t place = begin;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string_view entry = bytes_.substr(std::min(place, bytes_.size()));
@@ -70,8 +70,8 @@ Result<void> ZipReader::read_directory() {
         kDirectoryEntrySize + name + short_at(entry, 30) + short_at(entry, 32);
     if (entry.size() < whole) return bad("the list of the archive's members is cut");
     members_.push_back({std::string(entry.substr(kDirectoryEntrySize, name)), short_at(entry, 10),
-                        number_at(entry, 16), number_at(entry, 20), number_at(entry, 24),
-                        number_at(entry, 42)});
+                        zip_number_at(entry, 16), zip_number_at(entry, 20),
+                        zip_number_at(entry, 24), zip_number_at(entry, 42)});
     if ((short_at(entry, 8) & kEncrypted) != 0) return bad("the archive is encrypted");
     place += whole;
   }

@@ -36,15 +36,15 @@ tl::unexpected<Error> bad(std::string what, const std::string& where,
 }
 
 template <typename T>
-T number_at(std::string_view bytes, std::size_t place) {
+T wav_number_at(std::string_view bytes, std::size_t place) {
   return little_endian<T>(bytes.data() + place);
 }
 
 Format format_in(std::string_view chunk) {
-  Format format{number_at<std::uint16_t>(chunk, 0), number_at<std::uint16_t>(chunk, 2),
-                number_at<std::uint32_t>(chunk, 4), number_at<std::uint16_t>(chunk, 14)};
+  Format format{wav_number_at<std::uint16_t>(chunk, 0), wav_number_at<std::uint16_t>(chunk, 2),
+                wav_number_at<std::uint32_t>(chunk, 4), wav_number_at<std::uint16_t>(chunk, 14)};
   if (format.coding == kExtensible && chunk.size() >= kSubformat + 2) {
-    format.coding = number_at<std::uint16_t>(chunk, kSubformat);
+    format.coding = wav_number_at<std::uint16_t>(chunk, kSubformat);
   }
   return format;
 }
@@ -134,9 +134,9 @@ Result<Sound> decode_wav(std::string_view bytes, const std::string& where) {
   std::optional<Format> format;
   for (std::size_t place = kFileHead; bytes.size() - place >= kChunkHead;) {
     const std::string_view name = bytes.substr(place, 4);
-    const std::size_t size = number_at<std::uint32_t>(bytes, place + 4);
+    const std::size_t size = wav_number_at<std::uint32_t>(bytes, place + 4);
     const std::string_view rest = bytes.substr(place + kChunkHead);
-    const std::size_t riff = number_at<std::uint32_t>(bytes, 4);
+    const std::size_t riff = wav_number_at<std::uint32_t>(bytes, 4);
     if (name == "data" && format && is_unknown(size, rest.size(), riff, bytes.size())) {
       return sound_of(*format, samples_to_the_end(rest, *format), where);
     }

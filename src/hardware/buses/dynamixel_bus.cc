@@ -81,6 +81,17 @@ std::span<const DynamixelModel> dynamixel_models() {
   return kDynamixelModels;
 }
 
+BusInquiry dynamixel_inquiry() {
+  BusInquiry inquiry;
+  inquiry.writer = std::make_unique<wire::DynamixelWriter>();
+  inquiry.decoder = std::make_unique<wire::DynamixelDecoder>();
+  inquiry.request = [](wire::PacketWriter& to, std::uint8_t id) { to.ping(id); };
+  inquiry.size = 3;
+  inquiry.ids = kDynamixelServos.highest_id + 1;
+  inquiry.name_of = [](unsigned model) { return name_of_model(kDynamixelModels, model); };
+  return inquiry;
+}
+
 DynamixelBus::DynamixelBus(const std::vector<PacketServo>& servos)
     : PacketBus(
           kDynamixelServos, servos,

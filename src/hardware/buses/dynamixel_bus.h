@@ -22,6 +22,9 @@ struct DynamixelModel {
 /// The models that are known by name.
 std::span<const DynamixelModel> dynamixel_models();
 
+/// A ping, whose answer contains the model.
+BusInquiry dynamixel_inquiry();
+
 /// Dynamixel servos of the X series (protocol 2) that hold positions in steps of 4096 in a turn.
 ///
 /// Each tick sends one sync write of goals and one sync read of states. With each goal goes the

@@ -29,7 +29,8 @@ constexpr std::size_t kFeetechScsStateSize = 8;  // position, speed, load, volta
 constexpr std::size_t kFeetechStsSettings = 34;  // from the firmware to the mode
 constexpr std::size_t kFeetechScsSettings = 13;  // from the firmware to the limits
 constexpr std::size_t kFeetechLongestAnswer = 6 + kFeetechStsSettings;
-constexpr double kFeetechSpeedUnit = 50.0;  // steps/s
+constexpr std::uint16_t kFeetechIdentity = feetech::kModel + 2;  // bytes as far as the model
+constexpr double kFeetechSpeedUnit = 50.0;                       // steps/s
 
 constexpr PacketServoKind kFeetechServos{
     .maker = "Feetech",
@@ -59,6 +60,21 @@ FeetechSeries feetech_series_of(const std::vector<PacketServo>& servos) {
 
 std::span<const FeetechModel> feetech_models() {
   return kFeetechModels;
+}
+
+BusInquiry feetech_inquiry(wire::FeetechSeries series) {
+  BusInquiry inquiry;
+  inquiry.order = wire::feetech_order(series);
+  inquiry.writer = std::make_unique<wire::FeetechWriter>(inquiry.order);
+  inquiry.decoder = std::make_unique<wire::FeetechDecoder>();
+  inquiry.request = [](wire::PacketWriter& to, std::uint8_t id) {
+    to.read(id, 0, kFeetechIdentity);
+  };
+  inquiry.size = kFeetechIdentity;
+  inquiry.model = feetech::kModel;
+  inquiry.ids = kFeetechServos.highest_id + 1;
+  inquiry.name_of = [](unsigned model) { return name_of_model(kFeetechModels, model); };
+  return inquiry;
 }
 
 FeetechBus::FeetechBus(const std::vector<PacketServo>& servos)

@@ -22,6 +22,10 @@ struct FeetechModel {
 /// The models that are known by name, and "STS" and "SCS" for any of a series.
 std::span<const FeetechModel> feetech_models();
 
+/// A read of the memory as far as the model. A request of two bytes would have an echo that looks
+/// like its answer.
+BusInquiry feetech_inquiry(wire::FeetechSeries series);
+
 /// Feetech servos of one series that hold positions, in steps of 4096 (STS) or 1024 (SCS) in a
 /// turn.
 ///

@@ -36,6 +36,28 @@ struct PacketServoKind {
   std::array<std::string_view, 6> errors{};  ///< The names of its bits.
 };
 
+/// How servos of a kind are searched by scan_bus(): a request that moves nothing, and the number of
+/// the model in its answer.
+struct BusInquiry {
+  std::unique_ptr<wire::PacketWriter> writer;
+  std::unique_ptr<wire::PacketDecoder> decoder;
+  void (*request)(wire::PacketWriter& to, std::uint8_t id) = nullptr;
+  std::size_t size = 0;   ///< The parameters of an answer.
+  std::size_t model = 0;  ///< The place of the model's number in them.
+  wire::ByteOrder order = wire::ByteOrder::kLowFirst;
+  std::size_t ids = 0;                               ///< They are below this number.
+  std::string (*name_of)(unsigned model) = nullptr;  ///< Empty for an unknown model.
+};
+
+/// The name of the first of `models` with this number.
+template <typename Models>
+std::string name_of_model(const Models& models, unsigned number) {
+  for (const auto& model : models) {
+    if (number != 0 && model.number == number) return std::string(model.name);
+  }
+  return {};
+}
+
 /// Servos that exchange packets with the host and have ids, at one line. Each tick sends one sync
 /// write of goals, and requests for states. Nothing is written to the EEPROM.
 class PacketBus : public ServoBus {

@@ -303,6 +303,15 @@ ChannelDescription describe(const SensorSettings& sensor, const DeviceFile& file
 
 }  // namespace
 
+std::vector<BusServo> DeviceFile::bus_servos() const {
+  std::vector<BusServo> all;
+  all.reserve(servos.size());
+  for (const ServoSettings& servo : servos) {
+    all.push_back({servo.channel, servo.on_bus(servo.resting())});
+  }
+  return all;
+}
+
 double patience_of(const DeviceFile& file) {
   return static_cast<double>(file.safety.missed) * file.settings.period;
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bodies/body/kept_frames.h"
-#include "hardware/protocols/bus_kind.h"
+#include "hardware/buses/bus_kind.h"
 #include "hardware/protocols/frame_format.h"
 #include "somato/bodies/body.h"
 #include "somato/core/parameter.h"
@@ -141,6 +141,9 @@ struct DeviceFile {
   std::optional<MicrophoneSettings> microphone;
   std::vector<SensorSettings> sensors;
   SafetySettings safety;
+
+  /// The servos in the unit of their bus.
+  std::vector<BusServo> bus_servos() const;
 };
 
 /// The device described by the TOML `text` from the source `where`. Errors (kUsage) with file and

@@ -1,31 +1,11 @@
 #include "hardware/devices/device_io.h"
 
 #include "hardware/buses/anyskin_stream.h"
-#include "hardware/buses/dynamixel_bus.h"
-#include "hardware/buses/feetech_bus.h"
 #include "hardware/buses/number_line_stream.h"
 #include "hardware/buses/sensor_frame_stream.h"
-#include "hardware/buses/ssc32_bus.h"
 
 namespace somato::devices {
 namespace {
-
-std::unique_ptr<ServoBus> ssc32_bus(const DeviceFile& file) {
-  std::vector<int> channels;
-  channels.reserve(file.servos.size());
-  for (const ServoSettings& servo : file.servos)
-    channels.push_back(static_cast<int>(servo.channel));
-  return std::make_unique<Ssc32Bus>(std::move(channels));
-}
-
-std::vector<PacketServo> packet_servos(const DeviceFile& file, const char* model) {
-  std::vector<PacketServo> servos;
-  servos.reserve(file.servos.size());
-  for (const ServoSettings& servo : file.servos) {
-    servos.push_back({static_cast<std::uint8_t>(servo.channel), model});
-  }
-  return servos;
-}
 
 // The names of the elements of all sensors of the frames; that of the sensor for its only one.
 std::vector<wire::LineName> names_in_frames(const DeviceFile& file) {
@@ -44,17 +24,7 @@ std::vector<wire::LineName> names_in_frames(const DeviceFile& file) {
 
 std::unique_ptr<ServoBus> make_bus(const DeviceFile& file) {
   if (file.servos.empty()) return nullptr;
-  switch (file.servo_line->bus) {
-    case BusKind::kSsc32:
-      return ssc32_bus(file);
-    case BusKind::kDynamixel:
-      return std::make_unique<DynamixelBus>(packet_servos(file, ""));
-    case BusKind::kSts:
-      return std::make_unique<FeetechBus>(packet_servos(file, "STS"));
-    case BusKind::kScs:
-      break;
-  }
-  return std::make_unique<FeetechBus>(packet_servos(file, "SCS"));
+  return traits_of(file.servo_line->bus).bus(file.bus_servos());
 }
 
 std::vector<std::uint8_t> relax_bytes_of(const DeviceFile& file) {

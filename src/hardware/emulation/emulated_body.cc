@@ -5,7 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "hardware/emulation/make_boards.h"
+#include "hardware/buses/bus_kind.h"
+#include "hardware/emulation/sensor_board.h"
 #include "somato/core/check.h"
 
 namespace somato::emulation {
@@ -14,17 +15,25 @@ namespace {
 constexpr double kStep = 0.005;          // s; the boards are slower than that
 constexpr double kMilliamperes = 100.0;  // per newton on a servo's own taxels
 
+std::unique_ptr<EmulatedSensors> sensor_board(const devices::FrameLine& line) {
+  SensorBoardSettings settings;
+  settings.elements = line.elements;
+  settings.rate = line.rate;
+  settings.format = line.format;
+  return std::make_unique<SensorBoard>(settings);
+}
+
 }  // namespace
 
 EmulatedBody::EmulatedBody(devices::DeviceFile file, std::unique_ptr<Body> body)
     : file_(std::move(file)), body_(std::move(body)), stuck_(file_.servos.size(), 0) {
   if (file_.servo_line) {
-    servos_ = make_servos(file_);
+    servos_ = devices::traits_of(file_.servo_line->bus).emulated(file_.bus_servos());
     wires_.push_back(
         std::make_unique<EmulatedWire>(*servos_, static_cast<double>(file_.servo_line->baud), 1));
   }
   if (file_.frame_line) {
-    sensors_ = make_sensors(*file_.frame_line);
+    sensors_ = sensor_board(*file_.frame_line);
     frame_.resize(file_.frame_line->elements);
     wires_.push_back(
         std::make_unique<EmulatedWire>(*sensors_, static_cast<double>(file_.frame_line->baud), 2));

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "hardware/boards/emulated_board.h"
 #include "hardware/device_files/device_file.h"
-#include "hardware/emulation/emulated_board.h"
 #include "hardware/emulation/emulated_wire.h"
 #include "hardware/emulation/sound_board.h"
 #include "somato/bodies/body.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "hardware/emulation/emulated_board.h"
+#include "hardware/boards/emulated_board.h"
 #include "somato/core/random.h"
 
 namespace somato::emulation {

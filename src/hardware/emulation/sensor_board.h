@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "hardware/emulation/emulated_board.h"
+#include "hardware/boards/emulated_board.h"
 #include "hardware/protocols/frame_format.h"
 #include "hardware/protocols/sensor_frame.h"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hardware/emulation/emulated_board.h"
+#include "hardware/boards/emulated_board.h"
 
 namespace somato::emulation {
 

@@ -11,7 +11,7 @@ namespace somato {
 namespace {
 
 constexpr double kNameSize = 12.0;
-constexpr double kLine = 19.0;
+constexpr double kLegendLine = 19.0;
 constexpr double kMarkerRoom = 20.0;
 constexpr double kGap = 12.0;
 constexpr double kWidestName = 180.0;
@@ -40,7 +40,7 @@ Legend::Legend(const std::vector<std::string>& names, double width) : width_(wid
 
 double Legend::height() const {
   const std::size_t lines = (shown_ + columns_ - 1) / columns_ + (shown_ < names_.size() ? 1 : 0);
-  return kLine * static_cast<double>(lines);
+  return kLegendLine * static_cast<double>(lines);
 }
 
 void Legend::draw(SvgWriter& svg, Point corner) const {
@@ -50,7 +50,7 @@ void Legend::draw(SvgWriter& svg, Point corner) const {
   for (std::size_t i = 0; i < shown_; ++i) {
     const std::size_t column_number = i / lines;
     const double left = column * static_cast<double>(column_number);
-    const double middle = kLine * (static_cast<double>(i % lines) + 0.5);
+    const double middle = kLegendLine * (static_cast<double>(i % lines) + 0.5);
     draw_marker(svg, {left + 8, middle}, kMarkerRadius, class_mark(i));
   }
   svg.close_group();
@@ -58,7 +58,7 @@ void Legend::draw(SvgWriter& svg, Point corner) const {
   for (std::size_t i = 0; i < shown_; ++i) {
     const std::size_t column_number = i / lines;
     const double left = column * static_cast<double>(column_number);
-    const double middle = kLine * (static_cast<double>(i % lines) + 0.5);
+    const double middle = kLegendLine * (static_cast<double>(i % lines) + 0.5);
     write_line(svg, {left + kMarkerRoom, middle + 4}, names_[i], column - kMarkerRoom - kGap / 2,
                {.size = kNameSize});
   }

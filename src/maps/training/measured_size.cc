@@ -24,11 +24,11 @@ constexpr std::size_t kLeastMeasured = 50;        // samples: fewer than ten dec
 constexpr std::size_t kMostMeasured = 2500;       // samples
 constexpr std::uint64_t kEpochs = 100;
 constexpr std::uint64_t kEpochsOfCheck = 20;
-constexpr double kTolerance = 0.001;
-constexpr double kLeastGain = 1e-4;     // of the distance from a single neuron, above rounding
-constexpr double kRadiusStart = 0.125;  // of the longer side
-constexpr double kRadiusEnd = 0.2;      // neighbours then learn less than 1e-5 of the winner
-constexpr double kLargest = 50.0;       // neurons, times the root of the samples
+constexpr double kMeasuredTolerance = 0.001;
+constexpr double kLeastMeasuredGain = 1e-4;  // of the distance from a single neuron, above rounding
+constexpr double kRadiusStart = 0.125;       // of the longer side
+constexpr double kRadiusEnd = 0.2;           // neighbours then learn less than 1e-5 of the winner
+constexpr double kLargest = 50.0;            // neurons, times the root of the samples
 
 // The numbers of the samples that are learned, and of those that are held out.
 struct Division {
@@ -213,7 +213,7 @@ Result<MeasuredSize> measured_size(const SomParameters& parameters, const Sample
     measured.checks.push_back({one.neurons, one.error()});
     tried.push_back(std::move(one));
   }
-  measured.share = smallest_sufficient(tried, kLeastGain * single.error());
+  measured.share = smallest_sufficient(tried, kLeastMeasuredGain * single.error());
   return measured;
 }
 
@@ -236,7 +236,7 @@ SomParameters with_size(SomParameters parameters, std::size_t rows, std::size_t 
   p.training = Training::kBatch;
   p.iterations.reset();
   p.epochs = kEpochs;
-  p.tolerance = kTolerance;
+  p.tolerance = kMeasuredTolerance;
   p.radius_schedule = ScheduleShape::kExponential;
   p.radius_start = std::max(1.0, kRadiusStart * static_cast<double>(std::max(rows, columns)));
   p.radius_end = kRadiusEnd;

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 constexpr const char* kMetadata = "metadata.yaml";
 constexpr std::string_view kSqlite = "SQLite format 3";
 constexpr std::string_view kRos1 = "#ROSBAG";
-constexpr std::string_view kZstd = "\x28\xB5\x2F\xFD";
+constexpr std::string_view kZstdMagic = "\x28\xB5\x2F\xFD";
 constexpr std::size_t kLongestMetadata = std::size_t{16} << 20;
 
 std::string beginning_of(const std::string& path) {
@@ -53,7 +53,7 @@ Result<std::unique_ptr<BagSource>> open_bag_file(const std::string& path) {
                 "convert it with `rosbags-convert --src FILE.bag --dst FOLDER` of the Python "
                 "package rosbags");
   }
-  if (beginning.starts_with(kZstd)) {
+  if (beginning.starts_with(kZstdMagic)) {
     return fail(ErrorKind::kData, "the file is compressed as a whole", path,
                 "decompress it with `zstd -d`");
   }

@@ -9,25 +9,31 @@
 #include <vector>
 
 #include "base/support/no_malloc.h"
-#include "hardware/buses/anyskin_stream.h"
-#include "hardware/buses/number_line_stream.h"
-#include "hardware/buses/sensor_frame_stream.h"
+#include "hardware/devices/device_io.h"
 #include "hardware/emulation/sensor_board.h"
 #include "hardware/support/emulated_line.h"
+#include "hardware/support/every_bus.h"
 
 namespace somato::devices {
 namespace {
 
 struct StreamCase {
   FrameFormat format;
-  std::size_t first_frames_lost;  // Before the decoder knows where a frame begins.
   wire::SensorValueType values = wire::SensorValueType::kFloat32;
 };
 
 std::unique_ptr<SensorStream> stream_for(FrameFormat format, std::size_t elements) {
-  if (format == FrameFormat::kAnyskin) return std::make_unique<AnySkinStream>(elements / 3);
-  if (format == FrameFormat::kLines) return std::make_unique<NumberLineStream>(elements);
-  return std::make_unique<SensorFrameStream>(elements);
+  DeviceFile file;
+  file.frame_line.emplace();
+  file.frame_line->format = format;
+  file.frame_line->elements = elements;
+  return make_stream(file);
+}
+
+std::vector<StreamCase> every_case() {
+  std::vector<StreamCase> cases{{FrameFormat::kFrames, wire::SensorValueType::kInt16}};
+  for (const FrameFormat format : testing::every_format()) cases.push_back({format});
+  return cases;
 }
 
 class SensorStreamTest : public ::testing::TestWithParam<StreamCase> {};
@@ -57,7 +63,9 @@ TEST_P(SensorStreamTest, FollowsABoard) {
       ASSERT_EQ(stream->time(), line.now());
     }
   }
-  EXPECT_EQ(stream->frames(), 300 - GetParam().first_frames_lost);
+  // The first one may pass before the decoder knows where a frame begins.
+  EXPECT_GE(stream->frames(), GetParam().format == FrameFormat::kFrames ? 300U : 299U);
+  EXPECT_LE(stream->frames(), 300U);
   EXPECT_EQ(stream->lost(), 0U);
 }
 
@@ -74,11 +82,7 @@ TEST_P(SensorStreamTest, AllocatesNothing) {
   EXPECT_GE(stream->frames(), 90U);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Formats, SensorStreamTest,
-    ::testing::Values(StreamCase{FrameFormat::kAnyskin, 1}, StreamCase{FrameFormat::kFrames, 0},
-                      StreamCase{FrameFormat::kFrames, 0, wire::SensorValueType::kInt16},
-                      StreamCase{FrameFormat::kLines, 1}));
+INSTANTIATE_TEST_SUITE_P(Formats, SensorStreamTest, ::testing::ValuesIn(every_case()));
 
 }  // namespace
 }  // namespace somato::devices

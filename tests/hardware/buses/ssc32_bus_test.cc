@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/support/no_malloc.h"
-#include "hardware/emulation/ssc32_board.h"
+#include "hardware/boards/ssc32_board.h"
 #include "hardware/support/emulated_line.h"
 #include "somato/core/check.h"
 

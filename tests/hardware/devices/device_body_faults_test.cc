@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "hardware/devices/device_io.h"
+#include "hardware/support/every_bus.h"
 #include "hardware/support/faulty_fingers.h"
 #include "somato/core/random.h"
 
@@ -66,10 +67,6 @@ double random_target(Random& random) {
   return targets.at(static_cast<std::size_t>(random.uniform() * targets.size()));
 }
 
-std::string bus_name(const ::testing::TestParamInfo<BusKind>& info) {
-  return choice_name(info.param);
-}
-
 class DeviceFaults : public ::testing::TestWithParam<BusKind> {
  protected:
   // Seconds until silence is a fault: three periods; a lost answer of an SCS servo is awaited
@@ -82,10 +79,8 @@ class DeviceFaults : public ::testing::TestWithParam<BusKind> {
   FaultyFingers fingers_{device_file(GetParam())};
 };
 
-INSTANTIATE_TEST_SUITE_P(Buses, DeviceFaults,
-                         ::testing::Values(BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts,
-                                           BusKind::kScs),
-                         bus_name);
+INSTANTIATE_TEST_SUITE_P(Buses, DeviceFaults, ::testing::ValuesIn(testing::every_bus()),
+                         testing::name_of_bus);
 
 TEST_P(DeviceFaults, AHangUpInAMovementIsNoticedWithin100Milliseconds) {
   const Outcome outcome = outcome_of(fingers_, [&] { fingers_.servo_line().hung_up = true; });
@@ -145,14 +140,14 @@ TEST_P(DeviceFaults, OneByteInAThousandMayBeFlipped) {
     fingers_.servo_line().flipped = 0.001;
     fingers_.sensor_line().flipped = 0.001;
   });
-  if (GetParam() != BusKind::kSsc32) {
+  if (traits_of(GetParam()).measures) {
     EXPECT_LE(fingers_.beyond(), kResolution);
   }
 }
 
 // The line of an SSC-32 has two wires and no echo: there it is as good as silence.
 TEST_P(DeviceFaults, AnEchoIsNoAnswer) {
-  if (GetParam() == BusKind::kSsc32) {
+  if (!traits_of(GetParam()).measures) {
     EXPECT_TRUE(outcome_of(fingers_, [&] { fingers_.servo_line().echo = true; }).stopped);
     return;
   }
@@ -169,7 +164,7 @@ TEST_P(DeviceFaults, ABrownOutStopsTheBody) {
 }
 
 TEST_P(DeviceFaults, AnOverloadStopsTheBodyUntilAReboot) {
-  if (GetParam() == BusKind::kSsc32) {
+  if (!fingers_.has_chain()) {
     // It neither measures the load of its servos nor restarts them.
     DeviceIo io(fingers_.device.file, fingers_.device.lines);
     const auto refused = io.reboot();
@@ -238,9 +233,7 @@ class SensorFaults : public ::testing::TestWithParam<FrameFormat> {
   FaultyFingers fingers_{device_file(BusKind::kDynamixel, GetParam())};
 };
 
-INSTANTIATE_TEST_SUITE_P(Formats, SensorFaults,
-                         ::testing::Values(FrameFormat::kFrames, FrameFormat::kLines,
-                                           FrameFormat::kAnyskin),
+INSTANTIATE_TEST_SUITE_P(Formats, SensorFaults, ::testing::ValuesIn(testing::every_format()),
                          [](const auto& bus) { return choice_name(bus.param); });
 
 TEST_P(SensorFaults, SilenceForThreePeriodsStopsTheBody) {

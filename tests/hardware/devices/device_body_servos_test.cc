@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardware/support/every_bus.h"
 #include "hardware/support/faulty_fingers.h"
 #include "hardware/support/lent_lines.h"
 
@@ -23,13 +24,9 @@ using testing::outcome_of;
 
 constexpr double kHold = 0.5;  // s, of the device
 
-std::string name_of_bus(const ::testing::TestParamInfo<BusKind>& info) {
-  return choice_name(info.param);
-}
-
 class ServoFaults : public ::testing::TestWithParam<BusKind> {
  protected:
-  bool measures() const { return GetParam() != BusKind::kSsc32; }
+  bool measures() const { return traits_of(GetParam()).measures; }
 
   void expect_said(const Outcome& outcome, const std::string& what) const {
     EXPECT_EQ(outcome.error.kind, ErrorKind::kData);
@@ -39,10 +36,8 @@ class ServoFaults : public ::testing::TestWithParam<BusKind> {
   FaultyFingers fingers_{faulty_device(GetParam())};
 };
 
-INSTANTIATE_TEST_SUITE_P(Buses, ServoFaults,
-                         ::testing::Values(BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts,
-                                           BusKind::kScs),
-                         name_of_bus);
+INSTANTIATE_TEST_SUITE_P(Buses, ServoFaults, ::testing::ValuesIn(testing::every_bus()),
+                         testing::name_of_bus);
 
 // An SSC-32 does not know where its servos are.
 TEST_P(ServoFaults, AServoThatIsStuckStopsTheBody) {
@@ -86,7 +81,7 @@ TEST_P(ServoFaults, AServoBeyondItsLimitsIsSwitchedOff) {
 
 // The temperatures of Dynamixel servos are read five times in a second.
 TEST_P(ServoFaults, AHotServoStopsTheBody) {
-  if (!measures()) return;
+  if (!fingers_.has_chain()) return;
   const Outcome outcome = outcome_of(fingers_, [&] { fingers_.heat(1, 130); });
   ASSERT_TRUE(outcome.stopped);
   expect_said(outcome, "the servo 'index' has a temperature of 130 degrees Celsius, above 70");
@@ -95,7 +90,7 @@ TEST_P(ServoFaults, AHotServoStopsTheBody) {
 }
 
 TEST_P(ServoFaults, AWarmServoIsNoFault) {
-  if (!measures()) return;
+  if (!fingers_.has_chain()) return;
   EXPECT_FALSE(outcome_of(fingers_, [&] { fingers_.heat(1, 70); }).stopped);
 }
 

@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "hardware/boards/emulated_board.h"
 #include "hardware/devices/device_body.h"
-#include "hardware/emulation/emulated_board.h"
 #include "hardware/support/board_line.h"
 #include "somato/bodies/explore_by.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/support/no_malloc.h"
 #include "bodies/support/fake_hand.h"
-#include "hardware/emulation/dynamixel_servos.h"
+#include "hardware/boards/dynamixel_servos.h"
 #include "hardware/support/emulated_device.h"
 #include "somato/bodies/explore_by.h"
 

@@ -19,6 +19,7 @@
 #include "hardware/devices/device_body.h"
 #include "hardware/emulation/replayed_lines.h"
 #include "hardware/support/emulated_device.h"
+#include "hardware/support/every_bus.h"
 
 namespace somato::devices {
 namespace {
@@ -80,10 +81,8 @@ class DeviceTick : public ::testing::TestWithParam<BusKind> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Buses, DeviceTick,
-                         ::testing::Values(BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts,
-                                           BusKind::kScs),
-                         [](const auto& bus) { return choice_name(bus.param); });
+INSTANTIATE_TEST_SUITE_P(Buses, DeviceTick, ::testing::ValuesIn(testing::every_bus()),
+                         testing::name_of_bus);
 
 TEST_P(DeviceTick, AllocatesNothing) {
   if (!testing::counts_allocations()) GTEST_SKIP() << "this build does not count allocations";

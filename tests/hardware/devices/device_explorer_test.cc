@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "hardware/support/every_bus.h"
 #include "hardware/support/faulty_fingers.h"
 #include "hardware/support/lent_lines.h"
 
@@ -198,10 +199,8 @@ TEST_P(DeviceStartTest, AnErrorLeavesItsServosOff) {
   EXPECT_TRUE(relax_bytes_.empty()) << "a signal handler has nothing left to send";
 }
 
-INSTANTIATE_TEST_SUITE_P(Buses, DeviceStartTest,
-                         ::testing::Values(BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts,
-                                           BusKind::kScs),
-                         [](const auto& bus) { return choice_name(bus.param); });
+INSTANTIATE_TEST_SUITE_P(Buses, DeviceStartTest, ::testing::ValuesIn(testing::every_bus()),
+                         testing::name_of_bus);
 
 // An exploration that was interrupted is no fault: the command that interrupted it may be followed
 // by another.

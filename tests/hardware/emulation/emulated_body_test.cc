@@ -13,6 +13,7 @@
 #include "hardware/device_files/device_text.h"
 #include "hardware/devices/device_explorer.h"
 #include "hardware/support/emulated_device.h"
+#include "hardware/support/every_bus.h"
 #include "hardware/support/lent_lines.h"
 #include "somato/bodies/explore_by.h"
 
@@ -53,10 +54,6 @@ Pair explore_both(ExploringBody body, BusKind bus, std::size_t thing, const Expl
   if (!through_lines) throw std::runtime_error(to_string(through_lines.error()));
   EXPECT_TRUE(emulated.state) << to_string(emulated.state.error());
   return {std::move(*direct), std::move(*through_lines)};
-}
-
-std::string bus_of(const ::testing::TestParamInfo<BusKind>& info) {
-  return choice_name(info.param);
 }
 
 std::vector<float> last_frame(const Exploration& exploration, const std::string& channel) {
@@ -106,10 +103,8 @@ TEST_P(EmulatedBodies, TheTextureProbeHearsTheSameMaterial) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Buses, EmulatedBodies,
-                         ::testing::Values(BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts,
-                                           BusKind::kScs),
-                         bus_of);
+INSTANTIATE_TEST_SUITE_P(Buses, EmulatedBodies, ::testing::ValuesIn(testing::every_bus()),
+                         testing::name_of_bus);
 
 // Hand II grasps from one pose: as many segments touch, and with as much force.
 TEST(EmulatedBody, HandTwoTouchesTheSameObject) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "hardware/emulation/emulated_board.h"
+#include "hardware/boards/emulated_board.h"
 #include "hardware/lines/lines.h"
 
 namespace somato::testing {

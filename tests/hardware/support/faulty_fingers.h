@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "bodies/support/fake_hand.h"
+#include "hardware/boards/servo_chain.h"
 #include "hardware/device_files/device_text.h"
 #include "hardware/emulation/sensor_board.h"
-#include "hardware/emulation/servo_chain.h"
 #include "hardware/support/emulated_device.h"
 
 namespace somato::testing {
@@ -109,10 +109,13 @@ class FaultyFingers {
   double beyond() const { return beyond_; }
 
   bool are_off() {
-    device.lines.wait(device.lines.now() + 0.05);
-    device.lines.wait(device.lines.now() + 0.05);
+    const double until = device.lines.now() + 0.1;
+    while (device.lines.now() < until) device.lines.wait(until);
     return !servos().driven_position(0) && !servos().driven_position(1);
   }
+
+  /// Whether the servos measure temperatures and overloads, which tests can cause.
+  bool has_chain() { return dynamic_cast<emulation::ServoChain*>(&servos()) != nullptr; }
 
   emulation::ServoChain& chain() { return dynamic_cast<emulation::ServoChain&>(servos()); }
   void overload(std::size_t servo) { chain().overload(servo); }

@@ -10,11 +10,11 @@
 #include <span>
 #include <vector>
 
+#include "hardware/boards/dynamixel_servos.h"
+#include "hardware/boards/feetech_servos.h"
+#include "hardware/buses/bus_kind.h"
 #include "hardware/buses/dynamixel_bus.h"
 #include "hardware/buses/feetech_bus.h"
-#include "hardware/emulation/dynamixel_servos.h"
-#include "hardware/emulation/feetech_servos.h"
-#include "hardware/protocols/bus_kind.h"
 #include "hardware/support/board_line.h"
 #include "hardware/support/damaged_streams.h"
 

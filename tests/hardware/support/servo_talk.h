@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "hardware/emulation/dynamixel_servos.h"
-#include "hardware/emulation/feetech_servos.h"
+#include "hardware/boards/dynamixel_servos.h"
+#include "hardware/boards/feetech_servos.h"
 #include "hardware/protocols/dynamixel.h"
 #include "hardware/support/damaged_streams.h"
 

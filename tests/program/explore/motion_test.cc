@@ -279,7 +279,7 @@ TEST_F(Motion, CommandsThatSaySoMoveIt) {
 // They talk to the servos: each is afterwards where it was, or still off.
 TEST_F(Motion, CheckAndMonitorMoveNothing) {
   const std::regex place("servo \"stick\": channel [0-9]+, (at [^,\n]*|off)");
-  for (const std::string bus : {"ssc32", "dynamixel", "sts", "scs"}) {
+  for (const std::string& bus : names_of_buses()) {
     SCOPED_TRACE(bus);
     with_emulation({"--body", "hardness", "--bus", bus}, [&] {
       std::string first;

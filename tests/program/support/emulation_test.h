@@ -4,9 +4,17 @@
 #include <functional>
 #include <string>
 
+#include "hardware/buses/bus_kind.h"
 #include "program/support/program_test.h"
 
 namespace somato {
+
+/// The names of all kinds of servo buses.
+inline Words names_of_buses() {
+  Words names;
+  for (const auto& choice : Choices<devices::BusKind>::all()) names.push_back(choice.second);
+  return names;
+}
 
 /// Runs the program together with one of its emulations, whose time passes only while the program
 /// waits for it: no result depends on the speed of the machine.

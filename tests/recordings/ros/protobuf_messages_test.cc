@@ -61,7 +61,7 @@ constexpr const char* kNumbers = R"(
     field { name: "last" number: 22 type: TYPE_INT32 label: LABEL_OPTIONAL }
   })";
 
-constexpr const char* kHand = R"(
+constexpr const char* kHandMessages = R"(
   name: "hand.proto" package: "t" syntax: "proto3" dependency: "google/protobuf/timestamp.proto"
   message_type {
     name: "Taxel"
@@ -136,14 +136,14 @@ pb::FileDescriptorProto timestamp_file() {
 
 // The descriptors of all types here; a file may stand before those that it imports.
 std::string made_set() {
-  return set_of({file_of(kHand), file_of(kNumbers), file_of(kProto2), timestamp_file()});
+  return set_of({file_of(kHandMessages), file_of(kNumbers), file_of(kProto2), timestamp_file()});
 }
 
 // The message that a text describes, in protobuf.
 std::string message_of(const std::string& type, const std::string& text) {
   pb::DescriptorPool pool;
   pool.BuildFile(timestamp_file());
-  for (const char* file : {kNumbers, kHand, kProto2}) pool.BuildFile(file_of(file));
+  for (const char* file : {kNumbers, kHandMessages, kProto2}) pool.BuildFile(file_of(file));
   pb::DynamicMessageFactory factory;
   const std::unique_ptr<pb::Message> message(
       factory.GetPrototype(pool.FindMessageTypeByName(type))->New());
@@ -162,9 +162,9 @@ std::shared_ptr<const RosType> plain_type(const ProtobufType& type) {
 }
 
 // The numbers at paths of a message that a text describes.
-class Read {
+class ReadMessage {
  public:
-  Read(const std::string& type, const std::string& text)
+  ReadMessage(const std::string& type, const std::string& text)
       : type_(compiled_protobuf(type)),
         cdr_(cdr_of_protobuf(type_, message_of(type, text)).value()) {}
 
@@ -191,7 +191,7 @@ std::string refusal_of(const std::string& name, const std::string& set) {
 }
 
 TEST(ProtobufMessages, AllTypesOfNumbersAreRead) {
-  const Read all("t.All", R"(d: 0.1 f: -0.5 i32: -2147483648 i64: -9007199254740992
+  const ReadMessage all("t.All", R"(d: 0.1 f: -0.5 i32: -2147483648 i64: -9007199254740992
       u32: 4294967295 u64: 18446744073709551615 s32: -3 s64: -4 x32: 5 x64: 6 sx32: -7 sx64: -8
       b: true finger: INDEX bytes: "\001\377\200" packed: [-1, 2, -3] plain: [0.5, 1.5]
       flags: [true, false] fingers: [INDEX, THUMB] blobs: ["\001\002", "", "\003"]
@@ -220,7 +220,7 @@ TEST(ProtobufMessages, AllTypesOfNumbersAreRead) {
 }
 
 TEST(ProtobufMessages, ZerosOfProto3AreNotInTheMessage) {
-  const Read all("t.All", "");
+  const ReadMessage all("t.All", "");
   for (const char* path : {"d", "f", "i64", "b", "finger", "last"}) {
     EXPECT_EQ(all(path), Numbers{0}) << path;
   }
@@ -228,20 +228,20 @@ TEST(ProtobufMessages, ZerosOfProto3AreNotInTheMessage) {
 }
 
 TEST(ProtobufMessages, WhatIsMissingIsNoNumber) {
-  const Read nothing("t.Hand", "");
+  const ReadMessage nothing("t.Hand", "");
   for (const char* path : {"tip.x", "tip.count", "mass", "is_soft", "grip", "timestamp.nanos"}) {
     EXPECT_TRUE(nothing.lacks(path)) << path;
   }
-  const Read zeros("t.Hand", "tip {} mass: 0 grip: 0 taxels {}");
+  const ReadMessage zeros("t.Hand", "tip {} mass: 0 grip: 0 taxels {}");
   for (const char* path : {"tip.x", "tip.count", "mass", "grip", "taxels[0].x"}) {
     EXPECT_EQ(zeros(path), Numbers{0}) << path;
   }
   EXPECT_TRUE(zeros.lacks("is_soft"));
-  EXPECT_EQ(Read("t.Hand", "is_soft: true")("is_soft"), Numbers{1});
+  EXPECT_EQ(ReadMessage("t.Hand", "is_soft: true")("is_soft"), Numbers{1});
 }
 
 TEST(ProtobufMessages, MessagesAreStructuresAndMapsAreSorted) {
-  const Read hand("t.Hand", R"(taxels { x: 1 count: 2 } taxels { x: 3 } tip { x: 5 count: 6 }
+  const ReadMessage hand("t.Hand", R"(taxels { x: 1 count: 2 } taxels { x: 3 } tip { x: 5 count: 6 }
       forces { key: "b" value: 2 } forces { key: "a" value: 1 } forces { key: "c" value: 3 }
       counts { key: 3 value { x: 30 } } counts { key: -1 value { count: 8 } })");
   EXPECT_EQ(hand("taxels"), (Numbers{1, 2, 3, 0}));
@@ -253,13 +253,13 @@ TEST(ProtobufMessages, MessagesAreStructuresAndMapsAreSorted) {
 }
 
 TEST(ProtobufMessages, Proto2HasRequiredFieldsGroupsAndDefaultValues) {
-  const Read filled("t.Old", "number: -1 optional: 2 five: 3 Part { u: 4 } packed: [6, 7]");
+  const ReadMessage filled("t.Old", "number: -1 optional: 2 five: 3 Part { u: 4 } packed: [6, 7]");
   EXPECT_EQ(filled("number"), Numbers{-1});
   EXPECT_EQ(filled("optional"), Numbers{2});
   EXPECT_EQ(filled("five"), Numbers{3});
   EXPECT_EQ(filled("part.u"), Numbers{4});
   EXPECT_EQ(filled("packed"), (Numbers{6, 7}));
-  const Read least("t.Old", "number: 1");
+  const ReadMessage least("t.Old", "number: 1");
   EXPECT_TRUE(least.lacks("optional") && least.lacks("part.u"));
   EXPECT_EQ(least("five"), Numbers{5});
   const auto lacking = cdr_of_protobuf(compiled_protobuf("t.Old"), "\x18\x01");
@@ -284,7 +284,8 @@ TEST(ProtobufMessages, DescriptorsThatAreNoneAreRefused) {
   EXPECT_NE(refusal_of("t.Finger", set), "accepted");
   EXPECT_NE(refusal_of("t.All", "").find("the 0 bytes are no google.protobuf.FileDescriptorSet"),
             std::string::npos);
-  EXPECT_NE(refusal_of("t.Hand", set_of({file_of(kHand)})).find("google/protobuf/timestamp.proto"),
+  EXPECT_NE(refusal_of("t.Hand", set_of({file_of(kHandMessages)}))
+                .find("google/protobuf/timestamp.proto"),
             std::string::npos);
   const std::string circle = set_of({file_of("name: 'a.proto' dependency: 'b.proto'"),
                                      file_of("name: 'b.proto' dependency: 'a.proto'")});
@@ -342,7 +343,8 @@ TEST(ProtobufMessages, OtherBytesAreRefusedAndNothingIsPrinted) {
   EXPECT_EQ(to_string(cut.error()),
             "the message of 17 bytes is no t.Hand in protobuf, or is cut off");
   EXPECT_FALSE(cdr_of_protobuf(type, "\x5A\x01\xFF"));  // A text that is not UTF-8.
-  EXPECT_NE(refusal_of("t.Hand", set_of({file_of(kHand), file_of(kHand)})), "accepted");
+  EXPECT_NE(refusal_of("t.Hand", set_of({file_of(kHandMessages), file_of(kHandMessages)})),
+            "accepted");
   std::mt19937 random(1);
   for (int i = 0; i < 2000; ++i) {
     std::string bytes = message;

@@ -1,4 +1,4 @@
-// The modules 'growing_when_required', 'growing_cells' and 'growing_grid'.
+// The modules that hold a GrowingMap, such as 'growing_when_required'.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,8 +23,7 @@ using testing::recording;
 using testing::trained;
 using testing::try_build;
 
-const std::vector<std::string> kGrowingKinds{"growing_when_required", "growing_cells",
-                                             "growing_grid"};
+const std::vector<std::string> kGrowingKinds = testing::growing_kinds();
 
 std::string growing(const std::string& kind, const std::string& settings = "") {
   return "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n" +

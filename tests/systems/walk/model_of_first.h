@@ -11,12 +11,23 @@
 #include "maps/support/saved_maps.h"
 #include "recordings/support/made_recording.h"
 #include "somato/graph/system_model.h"
+#include "systems/modules/support.h"
 #include "systems/support/systems.h"
 
 namespace somato::testing {
 
-inline const std::vector<std::string> kKinds{"som", "growing_when_required", "growing_cells",
-                                             "growing_grid"};
+/// The types of modules that hold a GrowingMap: a new one takes part in the laws of all of them.
+inline std::vector<std::string> growing_kinds() {
+  std::vector<std::string> kinds;
+  for (const ModuleType& type : modules::growing_types()) kinds.push_back(type.name);
+  return kinds;
+}
+
+inline const std::vector<std::string> kKinds = [] {
+  std::vector<std::string> kinds = growing_kinds();
+  kinds.insert(kinds.begin(), "som");
+  return kinds;
+}();
 
 inline std::string system_text(const std::string& kind) {
   const std::string settings =

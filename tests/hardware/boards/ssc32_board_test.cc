@@ -1,4 +1,4 @@
-#include "hardware/emulation/ssc32_board.h"
+#include "hardware/boards/ssc32_board.h"
 
 #include <gtest/gtest.h>
 

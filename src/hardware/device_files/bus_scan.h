@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hardware/buses/bus_kind.h"
 #include "hardware/lines/exchange.h"
-#include "hardware/protocols/bus_kind.h"
 #include "somato/core/result.h"
 
 namespace somato::devices {
@@ -20,13 +20,10 @@ struct FoundServo {
   std::string name;               ///< The name of the model; empty if it is unknown.
 };
 
-/// The speeds of a line at which servos of that kind can be set to answer, in bit/s.
-std::vector<std::size_t> speeds_of(BusKind kind);
-
 /// Requests the model of each possible id, one after the other, and returns the servos that answer,
 /// which takes about 13 s. Nothing is written to a servo: none moves, and torques stay as they are.
-/// Errors (kUsage): an SSC-32, whose servos have no ids; (kInterrupted): `should_continue` has
-/// returned false; (kSystem): the line has hung up.
+/// Errors (kUsage): the bus cannot be searched, such as an SSC-32, whose servos have no ids;
+/// (kInterrupted): `should_continue` has returned false; (kSystem): the line has hung up.
 Result<std::vector<FoundServo>> scan_bus(BusKind kind, wire::Exchange& exchange,
                                          const std::function<bool()>& should_continue);
 

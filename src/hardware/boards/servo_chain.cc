@@ -1,4 +1,4 @@
-#include "hardware/emulation/servo_chain.h"
+#include "hardware/boards/servo_chain.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "hardware/emulation/feetech_servos.h"
+#include "hardware/boards/feetech_servos.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "hardware/emulation/ssc32_line.h"
+#include "hardware/boards/ssc32_line.h"
 
 #include <gtest/gtest.h>
 

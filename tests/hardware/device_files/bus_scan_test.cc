@@ -1,10 +1,11 @@
-#include "hardware/buses/bus_scan.h"
+#include "hardware/device_files/bus_scan.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
+#include "hardware/support/every_bus.h"
 #include "hardware/support/packet_hand.h"
 
 namespace somato::devices {
@@ -80,9 +81,10 @@ TEST(BusScan, KnowsThatAnSsc32HasNoIds) {
 }
 
 TEST(BusScan, TriesTheUsualSpeedOfEveryKind) {
-  for (const BusKind kind : {BusKind::kSsc32, BusKind::kDynamixel, BusKind::kSts, BusKind::kScs}) {
-    const auto speeds = speeds_of(kind);
-    EXPECT_NE(std::ranges::find(speeds, traits_of(kind).baud), speeds.end());
+  for (const BusKind kind : testing::every_bus()) {
+    const BusTraits& bus = traits_of(kind);
+    EXPECT_NE(std::ranges::find(bus.rates, bus.baud), bus.rates.end()) << bus.name;
+    EXPECT_NE(bus.inquiry == nullptr, bus.no_scan == nullptr) << bus.name;
   }
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hardware/boards/emulated_board.h"
+#include "hardware/buses/servo_bus.h"
 #include "somato/core/parameter.h"
 
 namespace somato::devices {
@@ -17,7 +21,15 @@ enum class BusKind {
   kScs,        ///< Feetech SCS: 1024 steps in 300 degrees.
 };
 
-/// A kind of bus, as far as device files depend on it. Positions are in the unit of the bus.
+/// A servo of a device file, as its bus and its emulator know it.
+struct BusServo {
+  std::size_t channel = 0;  ///< Or id.
+  double resting = 0.0;     ///< The position between explorations, in the unit of the bus.
+};
+
+struct BusInquiry;
+
+/// A kind of bus: all that other rooms know of it. Positions are in the unit of the bus.
 struct BusTraits {
   const char* name;   ///< In device files.
   double lowest;      ///< Position.
@@ -30,6 +42,19 @@ struct BusTraits {
   std::size_t baud;           ///< The usual rate of the line.
   BusKind kind;
   bool measures;  ///< Whether servos report their positions.
+
+  /// The bus of these servos, of which there is at least one.
+  std::unique_ptr<ServoBus> (*bus)(std::span<const BusServo> servos);
+
+  /// The board or servos at the other end of the line, in `somato emulate` and in tests.
+  std::unique_ptr<emulation::EmulatedServos> (*emulated)(std::span<const BusServo> servos);
+
+  /// The rates at which servos of that kind can be set to answer, in bit/s.
+  std::span<const std::size_t> rates;
+
+  /// The requests of scan_bus(); null if the bus cannot be searched, for the reason of `no_scan`.
+  BusInquiry (*inquiry)() = nullptr;
+  const char* no_scan = nullptr;
 };
 
 const BusTraits& traits_of(BusKind kind);

@@ -1,4 +1,4 @@
-#include "hardware/emulation/servo_chain.h"
+#include "hardware/boards/servo_chain.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hardware/protocols/bus_kind.h"
+#include "hardware/buses/bus_kind.h"
 #include "hardware/support/servo_talk.h"
 #include "somato/core/random.h"
 

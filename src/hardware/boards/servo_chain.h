@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "hardware/emulation/emulated_board.h"
+#include "hardware/boards/emulated_board.h"
 #include "hardware/protocols/packets.h"
 
 namespace somato::emulation {

@@ -1,4 +1,4 @@
-#include "hardware/emulation/dynamixel_servos.h"
+#include "hardware/boards/dynamixel_servos.h"
 
 #include <algorithm>
 #include <cmath>

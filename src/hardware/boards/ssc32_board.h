@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "hardware/emulation/emulated_board.h"
-#include "hardware/emulation/ssc32_line.h"
+#include "hardware/boards/emulated_board.h"
+#include "hardware/boards/ssc32_line.h"
 #include "hardware/protocols/ssc32.h"
 
 namespace somato::emulation {

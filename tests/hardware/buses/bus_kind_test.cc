@@ -1,4 +1,4 @@
-#include "hardware/protocols/bus_kind.h"
+#include "hardware/buses/bus_kind.h"
 
 #include <gtest/gtest.h>
 
