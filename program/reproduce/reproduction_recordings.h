@@ -19,6 +19,9 @@ namespace somato::program {
 /// A given recording: read_study_data() of a path, named by the path's last part.
 Result<PairedRecording> read_given(const RecordingParameters& parameters, const std::string& path);
 
+/// The things that the table explores, or the body's new ones. Errors: those of reading objects.
+Result<ObjectTable> explored_things(const ExploreTable& table, bool new_objects = false);
+
 /// Caches recordings, as long as they are small in total: several systems run on the same ones.
 /// When they are not, all are released but the latest.
 class KeptRecordings {
