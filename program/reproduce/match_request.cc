@@ -35,7 +35,7 @@ Result<Parameters> taken_table(Table& file, const std::string& name) {
   return read;
 }
 
-Result<void> check_flags(const Arguments& arguments) {
+Result<void> check_match_flags(const Arguments& arguments) {
   for (const char* flag : {"targets", "data", "test-data"}) {
     if (!arguments.has(flag)) continue;
     return fail(ErrorKind::kUsage, fmt::format("--{} has no effect with --match", flag),
@@ -127,7 +127,7 @@ Result<void> read_match_files(const Arguments& arguments, MatchRequest& request)
 
 Result<MatchRequest> read_match_request(const Arguments& arguments) {
   MatchRequest request;
-  SOMATO_TRY_VOID(check_flags(arguments));
+  SOMATO_TRY_VOID(check_match_flags(arguments));
   request.out = arguments.has("out") ? arguments.text("out") : "out/sweep";
   SOMATO_TRY(request.part, read_part(arguments));
   SOMATO_TRY(request.threads, read_threads(arguments));

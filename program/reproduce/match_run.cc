@@ -75,7 +75,7 @@ Result<std::string> objects_text(const ExploreTable& table) {
   return read_whole(table.explore.objects);
 }
 
-std::string text_of(const ComparedTouch& compared) {
+std::string compared_text(const ComparedTouch& compared) {
   std::string text = compared.label;
   for (const FeaturedChannel& channel : compared.channels) {
     text += fmt::format("\n{} {} {} {}", channel.name, channel.elements, channel.is_series,
@@ -229,7 +229,8 @@ Result<std::string> MatchRun::name_at(const SweepPoint& point, Seeds seeds) cons
                 to_text(*table_at(request_.sweep, movements_at(request_.sweep.sweep, point))))
           : fmt::format("{}", seeds.own);
   return checksum_name(fmt::format("match {}\n{}\n{}\n{}\n{}\n{}", SOMATO_VERSION, physics_engine(),
-                                   to_text(table), objects, seeds_text, text_of(touch_.compared)));
+                                   to_text(table), objects, seeds_text,
+                                   compared_text(touch_.compared)));
 }
 
 std::optional<std::vector<double>> MatchRun::found(const std::string& name) const {

@@ -12,7 +12,7 @@
 namespace somato {
 namespace {
 
-Matrix<double> numbers(std::size_t rows, std::size_t columns, std::uint64_t seed) {
+Matrix<double> normal_numbers(std::size_t rows, std::size_t columns, std::uint64_t seed) {
   Random random(seed);
   Matrix<double> made(rows, columns);
   for (double& value : made.values()) value = 2.0 * random.normal() + 5.0;
@@ -77,8 +77,8 @@ double plain_prediction(const Matrix<double>& x, const Matrix<double>& y,
 
 TEST(RidgePredictions, AreThoseOfRegressionsWithoutEachRow) {
   for (const std::size_t columns : {std::size_t{4}, std::size_t{30}}) {  // more than rows, too
-    const Matrix<double> x = numbers(12, columns, 1);
-    Matrix<double> y = numbers(12, 1, 2);
+    const Matrix<double> x = normal_numbers(12, columns, 1);
+    Matrix<double> y = normal_numbers(12, 1, 2);
     for (std::size_t i = 0; i < 12; ++i) y(i, 0) += 3.0 * x(i, 1);
     const std::vector<double> given(columns, 4.0);
     const RidgePrediction found = ridge_predictions(x, y, given)[0];
@@ -122,7 +122,7 @@ TEST(RidgePredictions, AreMeansOfTheOthersWithoutInformation) {
 }
 
 TEST(RidgePredictions, BearPredictorsThatFollowFromOthers) {
-  Matrix<double> x = numbers(20, 3, 5);
+  Matrix<double> x = normal_numbers(20, 3, 5);
   Matrix<double> y(20, 1);
   for (std::size_t i = 0; i < 20; ++i) {
     x(i, 1) = 1e9 * x(i, 0);
@@ -136,9 +136,12 @@ TEST(RidgePredictions, BearPredictorsThatFollowFromOthers) {
 
 TEST(RidgePredictions, RefuseSizesThatDoNotAgree) {
   const std::vector<double> given{1.0, 2.0};
-  EXPECT_THROW(ridge_predictions(numbers(4, 2, 1), numbers(3, 1, 1), given), InvalidArgument);
-  EXPECT_THROW(ridge_predictions(numbers(4, 3, 1), numbers(4, 1, 1), given), InvalidArgument);
-  EXPECT_THROW(ridge_predictions(numbers(2, 2, 1), numbers(2, 1, 1), given), InvalidArgument);
+  EXPECT_THROW(ridge_predictions(normal_numbers(4, 2, 1), normal_numbers(3, 1, 1), given),
+               InvalidArgument);
+  EXPECT_THROW(ridge_predictions(normal_numbers(4, 3, 1), normal_numbers(4, 1, 1), given),
+               InvalidArgument);
+  EXPECT_THROW(ridge_predictions(normal_numbers(2, 2, 1), normal_numbers(2, 1, 1), given),
+               InvalidArgument);
 }
 
 }  // namespace

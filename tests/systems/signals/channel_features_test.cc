@@ -59,7 +59,7 @@ double plain_correlation(const Series& a, const Series& b) {
   return sum / static_cast<double>(a.size()) / std::sqrt(plain_variance(a) * plain_variance(b));
 }
 
-Series column(const Channel& channel, std::size_t element) {
+Series element_series(const Channel& channel, std::size_t element) {
   Series values;
   for (std::size_t i = 0; i < channel.frames.rows(); ++i)
     values.push_back(channel.frames(i, element));
@@ -73,7 +73,7 @@ TEST(ChannelFeatures, AreThoseOfPlainSums) {
   Series means;
   double variance = 0.0;
   for (std::size_t e = 0; e < 3; ++e) {
-    const Series one = column(channel, e);
+    const Series one = element_series(channel, e);
     all.insert(all.end(), one.begin(), one.end());
     means.push_back(plain_mean(one));
     variance += plain_variance(one) / 3.0;
@@ -95,9 +95,9 @@ TEST(ChannelFeatures, AreThoseOfPlainSums) {
     for (std::size_t e = 0; e < 3; ++e) second.push_back(channel.frames(i, e));
   }
   EXPECT_NEAR(found.at("mean of quarter 2"), plain_mean(second), 1e-12);
-  const double pairs = plain_correlation(column(channel, 0), column(channel, 1)) +
-                       plain_correlation(column(channel, 0), column(channel, 2)) +
-                       plain_correlation(column(channel, 1), column(channel, 2));
+  const double pairs = plain_correlation(element_series(channel, 0), element_series(channel, 1)) +
+                       plain_correlation(element_series(channel, 0), element_series(channel, 2)) +
+                       plain_correlation(element_series(channel, 1), element_series(channel, 2));
   EXPECT_NEAR(found.at("correlation of elements"), pairs / 3.0, 1e-12);
 }
 
