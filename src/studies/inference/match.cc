@@ -67,6 +67,24 @@ std::vector<std::size_t> complete_draws(const MatchDraws& draws,
   return complete;
 }
 
+bool is_spread(const Statistic& statistic) {
+  return statistic.measure.starts_with("spread") || statistic.measure.starts_with("roughness") ||
+         statistic.measure.starts_with("spectrum");
+}
+
+// In scales at the observed value; of spreads, which are not negative and may differ by powers of
+// ten, the difference of the logarithms.
+double compressed_difference(const MatchedTouch& touch, std::size_t statistic, double value) {
+  const double observed = touch.fitted[statistic];
+  const double scale = touch.scales[statistic];
+  double difference = (value - observed) / scale;
+  if (is_spread(touch.names[statistic])) {
+    const double least = 0.01 * scale;  // so that a spread of 0 has a logarithm
+    difference = natural_log((value + least) / (observed + least)) * (observed + least) / scale;
+  }
+  return inverse_hyperbolic_sine(difference);
+}
+
 // The used statistics of the complete draws, as differences from the fitted half.
 Matrix<double> predictors_of(const MatchedTouch& touch, const MatchDraws& draws,
                              const std::vector<std::size_t>& complete,
@@ -74,9 +92,8 @@ Matrix<double> predictors_of(const MatchedTouch& touch, const MatchDraws& draws,
   Matrix<double> predictors(complete.size(), used.size());
   for (std::size_t i = 0; i < complete.size(); ++i) {
     for (std::size_t c = 0; c < used.size(); ++c) {
-      const std::size_t k = used[c];
-      predictors(i, c) = inverse_hyperbolic_sine(
-          (draws.statistics(complete[i], k) - touch.fitted[k]) / touch.scales[k]);
+      predictors(i, c) =
+          compressed_difference(touch, used[c], draws.statistics(complete[i], used[c]));
     }
   }
   return predictors;

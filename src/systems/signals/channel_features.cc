@@ -98,6 +98,19 @@ double mean_correlation(const std::vector<std::vector<double>>& series,
   return pairs_twice / static_cast<double>(frames) / (count * (count - 1.0));
 }
 
+// The root mean square of second differences, divided by the root of 6: the standard deviation of
+// white noise on a course that is straight over three frames.
+double roughness_of(const std::vector<std::vector<double>>& series) {
+  MeanAndSpread squares;
+  for (const std::vector<double>& one : series) {
+    for (std::size_t i = 2; i < one.size(); ++i) {
+      const double second = one[i] - 2.0 * one[i - 1] + one[i - 2];
+      squares.add(second * second / 6.0);
+    }
+  }
+  return std::sqrt(squares.mean());
+}
+
 double mean_of_part(const std::vector<std::vector<double>>& series, std::size_t part) {
   const std::size_t frames = series.front().size();
   MeanAndSpread moments;
@@ -139,6 +152,7 @@ std::vector<std::string> channel_feature_names(const FeaturedChannel& channel) {
   }
   if (!channel.is_series) return names;
   names.emplace_back("spread within explorations");
+  names.emplace_back("roughness over three frames");
   if (has_single_elements(channel)) {
     for (std::size_t e = 0; e < channel.elements; ++e)
       names.push_back(fmt::format("spread of element {} within explorations", e + 1));
@@ -177,6 +191,7 @@ std::vector<double> channel_features(const FeaturedChannel& featured, const Chan
   }
   if (!featured.is_series) return features;
   features.push_back(std::sqrt(variances.mean()));
+  features.push_back(roughness_of(series));
   if (single) {
     for (const MeanAndSpread& element : moments) features.push_back(element.deviation());
   }

@@ -38,11 +38,12 @@ std::vector<std::string> channel_feature_names(const FeaturedChannel& channel);
 
 /// The features of one exploration: over all valid values their mean, standard deviation and
 /// quantiles (0.05, 0.5, 0.95); the standard deviation of the means of the elements; the root mean
-/// variance over time; the means of the quarters; the mean correlation of all pairs of elements
-/// over time, of which a constant one correlates with none; and the root mean square of each
-/// octave, in the unit of the channel, as the mean over parts without their mean and over elements.
-/// Missing values of a spectrum are at the mean, and a shorter exploration is one part with zeros.
-/// NaN where there are no valid values.
+/// variance over time; the root mean square of second differences over the root of 6, which is the
+/// standard deviation of white noise on a slow course; the means of the quarters; the mean
+/// correlation of all pairs of elements over time, of which a constant one correlates with none;
+/// and the root mean square of each octave, in the unit of the channel, as the mean over parts
+/// without their mean and over elements. Missing values of a spectrum are at the mean, and a
+/// shorter exploration is one part with zeros. NaN where there are no valid values.
 std::vector<double> channel_features(const FeaturedChannel& featured, const Channel& channel);
 
 }  // namespace somato

@@ -22,7 +22,7 @@ class MatchCommand : public Reproduce {
     write("prior.toml", "[sweep]\ndesign = 'sobol'\npoints = " + std::to_string(points) + "\n" +
                             more +
                             "[inference]\naccepted = 0.25\nbodies = 3\npairs = 1\ntruths = 5\n"
-                            "[explore]\nexplorations = 3\n"
+                            "[explore]\nbody = 'hardness'\nexplorations = 3\n"
                             "[explore.hardness_probe]\npotentiometer_noise = 0.05\n" +
                             kForce + kOffset);
   }
@@ -96,7 +96,7 @@ TEST_F(MatchCommand, PlaysSensorsOfFewRecordings) {
   write("prior.toml",
         "[sweep]\ndesign = 'sobol'\npoints = 32\nrecordings = 2\n"
         "[inference]\naccepted = 0.25\nbodies = 2\npairs = 1\ntruths = 5\n"
-        "[explore]\nexplorations = 3\n[explore.hardness_probe]\nforce = 3.0\n"
+        "[explore]\nbody = 'hardness'\nexplorations = 3\n[explore.hardness_probe]\nforce = 3.0\n"
         "potentiometer_noise = 0.05\n" +
             kOffset);
   output_of(match("out"));

@@ -89,6 +89,14 @@ TEST(ChannelFeatures, AreThoseOfPlainSums) {
   EXPECT_NEAR(found.at("median"), all[19], 1e-12);                             // 38 / 2
   EXPECT_NEAR(found.at("quantile 0.05"), 0.1 * all[1] + 0.9 * all[2], 1e-12);  // 38 x 0.05 = 1.9
   EXPECT_NEAR(found.at("quantile 0.95"), 0.9 * all[36] + 0.1 * all[37], 1e-12);
+  double second_differences = 0.0;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const Series one = element_series(channel, e);
+    for (std::size_t i = 1; i < 12; ++i)
+      second_differences += std::pow(one[i - 1] - 2.0 * one[i] + one[i + 1], 2.0);
+  }
+  EXPECT_NEAR(found.at("roughness over three frames"), std::sqrt(second_differences / 33.0 / 6.0),
+              1e-12);
   // Frames 3 to 5 of 13: from 13 / 4 to 26 / 4, rounded down.
   Series second;
   for (std::size_t i = 3; i < 6; ++i) {
