@@ -6,8 +6,8 @@
 
 namespace somato::program {
 
-/// What was compared, the distances before and after, and the unknowns, as a table for the
-/// terminal.
+/// A table for the terminal with the compared channels, the distances before and after, and the
+/// unknowns.
 std::string match_table(const Match& match);
 
 }  // namespace somato::program

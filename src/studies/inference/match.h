@@ -21,13 +21,14 @@ struct MatchedTouch {
   std::vector<Statistic> names;
   std::vector<double> fitted;    ///< The statistics of the half to which settings are fitted.
   std::vector<double> held_out;  ///< Those of the other half, which only distances use.
-  std::vector<double> scales;    ///< Of the first half; see statistic_scales().
+  std::vector<double> scales;    ///< Those of the first half; see statistic_scales().
   std::size_t fitted_explorations = 0;
   std::size_t held_out_explorations = 0;
 };
 
-/// What `real` has in common with `simulated`, a recording of the body. Errors: those of
-/// compared_touch() and touch_features(); kData if a half has fewer than two explorations.
+/// The statistics of `real`, of what it has in common with `simulated`, a recording of the body.
+/// Errors: those of compared_touch() and touch_features(); kData if a half has fewer than two
+/// explorations.
 Result<MatchedTouch> matched_touch(const Recording& real, const Recording& simulated,
                                    const MatchParameters& parameters);
 
@@ -37,8 +38,8 @@ Result<std::vector<double>> simulated_statistics(const MatchedTouch& touch,
 
 /// How far statistics are from others, in units of their scales.
 struct TouchDistance {
-  double median = 0.0;            ///< Of the absolute differences.
-  double root_mean_square = 0.0;  ///< Of the differences.
+  double median = 0.0;            ///< Median of the absolute differences.
+  double root_mean_square = 0.0;  ///< Root of the mean square.
   double within_two = 0.0;        ///< Share of the statistics that differ by less than 2.
 };
 
@@ -58,11 +59,11 @@ struct Match {
   std::vector<bool> out_of_reach;     ///< Whether no draw is at the observed value or beyond it.
   std::vector<RidgePrediction>
       summaries;                        ///< One for each unknown: the statistic of its inference.
-  Inference inference;                  ///< Of the draws with all used statistics.
+  Inference inference;                  ///< The inference from draws with all used statistics.
   std::vector<TouchDistance> of_draws;  ///< From the held-out half, of these draws.
-  TouchDistance by_chance;  ///< Of the fitted half from the held-out one: the real body itself.
-  Matrix<double> system;    ///< Statistics of the unchanged body with fresh seeds, in rows.
-  Matrix<double> fresh;     ///< The same of settings of the posterior, `pairs` rows for each.
+  TouchDistance by_chance;              ///< The distance of the fitted half from the held-out one.
+  Matrix<double> system;  ///< Statistics of the unchanged body with fresh seeds, in rows.
+  Matrix<double> fresh;   ///< The same of settings of the posterior, `pairs` rows for each.
   std::vector<SweepPoint> bodies;  ///< These settings.
 };
 

@@ -98,7 +98,7 @@ double squared_scale(const MeanAndSpread& values) {
   return static_cast<double>(values.count() - 1) * values.squares();
 }
 
-// Of all values of each channel, between and within explorations.
+// The deviations of all values of each channel, between and within explorations.
 std::vector<double> channel_spreads(const ComparedTouch& compared, const TouchFeatures& touch,
                                     const std::vector<std::size_t>& rows) {
   std::vector<double> spreads;
@@ -356,14 +356,16 @@ std::vector<double> statistic_scales(const ComparedTouch& compared, const TouchF
   const std::vector<double> spreads = channel_spreads(compared, touch, rows);
   std::vector<double> scales;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    MeanAndSpread squares;  // of the same statistic of all things
-    const std::size_t first = k < of_things ? k % features : k;
-    const std::size_t end = k < of_things ? of_things : k + 1;
-    for (std::size_t other = first; other < end; other += features)
-      squares.add(squared_scale(values[other]));
+    double squares = squared_scale(values[k]);
+    if (std::isnan(squares) && k < of_things) {
+      MeanAndSpread others;
+      for (std::size_t other = k % features; other < of_things; other += features)
+        others.add(squared_scale(values[other]));
+      squares = others.mean();
+    }
     const double spread = spread_of(compared, spreads, names[k].channel);
     const double least = kLeastScale * (is_correlation(names[k]) ? 1.0 : spread);
-    const double scale = std::sqrt(squares.mean());
+    const double scale = std::sqrt(squares);
     scales.push_back(spread > 0.0 && scale < least ? least : scale);
   }
   return scales;

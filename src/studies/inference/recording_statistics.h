@@ -28,7 +28,7 @@ struct IgnoredChannel {
   std::string reason;
 };
 
-/// What the statistics of two recordings are about.
+/// The subjects of the statistics of two recordings.
 struct ComparedTouch {
   std::vector<FeaturedChannel> channels;
   std::vector<IgnoredChannel> ignored;
@@ -40,7 +40,7 @@ struct ComparedTouch {
 
 /// A statistic of a recording.
 struct Statistic {
-  std::string channel;  ///< Of a correlation between channels: both, with a comma.
+  std::string channel;  ///< Its name; for a correlation between channels both, with a comma.
   std::string measure;  ///< Such as "mean", "mean of element 3", "spectrum, octave 2".
   std::string thing;    ///< Empty: of all explorations.
 
@@ -67,8 +67,8 @@ std::vector<Statistic> statistic_names(const ComparedTouch& compared);
 /// Explorations as rows of features, from which the statistics of any part of them follow.
 struct TouchFeatures {
   Matrix<double> features;  ///< One row for each exploration; NaN where one cannot be measured.
-  std::vector<std::size_t> thing;  ///< Of each row: among ComparedTouch::things, or 0.
-  /// Of each row: the number of its value of the label, in the order of first appearance.
+  std::vector<std::size_t> thing;  ///< Number of each row among ComparedTouch::things, or 0.
+  /// The number of each row's value of the label, in the order of first appearance.
   std::vector<std::size_t> same;
 };
 
@@ -82,7 +82,8 @@ std::vector<double> statistics_of(const ComparedTouch& compared, const TouchFeat
 
 /// For each statistic, the difference between two explorations that is common in the recording: the
 /// jackknife's standard error of the statistic times the root of the number of explorations (of a
-/// mean, the standard deviation between explorations), the root mean square over things. At least a
+/// mean, the standard deviation between explorations); for a thing that was explored once, the root
+/// mean square of the other things. At least a
 /// hundredth of the standard deviation of all values of the channel, or for a correlation 0.01. 0
 /// if the channel is constant; NaN if fewer than two explorations measure the statistic.
 ///

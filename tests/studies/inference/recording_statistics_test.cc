@@ -62,12 +62,14 @@ TEST(RecordingStatistics, AreMeansOverTheExplorationsOfEachThing) {
   };
   EXPECT_NEAR(statistics[number_of(compared, {"touch", "mean", "b"})], mean(touches, 4, 4), 1e-9);
   double squares = 0.0;
+  double squares_of_a = 0.0;
   double products = 0.0;
   double squares_a = 0.0;
   double squares_b = 0.0;
   for (std::size_t i = 0; i < 8; ++i) {
     const double own = mean(touches, i < 4 ? 0 : 4, 4);
     squares += (touches[i] - own) * (touches[i] - own);
+    if (i < 4) squares_of_a += (touches[i] - own) * (touches[i] - own);
     const double a = touches[i] - mean(touches, 0, 8);
     const double b = sounds[i] - mean(sounds, 0, 8);
     products += a * b;
@@ -80,11 +82,14 @@ TEST(RecordingStatistics, AreMeansOverTheExplorationsOfEachThing) {
   EXPECT_NEAR(
       statistics[number_of(compared, {"touch, sound", "correlation between explorations", ""})],
       products / std::sqrt(squares_a * squares_b), 1e-9);
-  // Of a mean, the scale is the standard deviation between explorations, here of both things.
+  // The scale of a mean is the standard deviation between explorations.
   const std::vector<double> scales = statistic_scales(compared, touch, first_rows(8));
-  EXPECT_NEAR(scales[number_of(compared, {"touch", "mean", "a"})], std::sqrt(squares / 6.0), 1e-9);
-  EXPECT_EQ(scales[number_of(compared, {"touch", "mean", "a"})],
-            scales[number_of(compared, {"touch", "mean", "b"})]);
+  const std::size_t a = number_of(compared, {"touch", "mean", "a"});
+  const std::size_t b = number_of(compared, {"touch", "mean", "b"});
+  EXPECT_NEAR(scales[a], std::sqrt(squares_of_a / 3.0), 1e-9);
+  const std::vector<double> of_one = statistic_scales(compared, touch, {0, 1, 2, 3, 4});
+  EXPECT_NEAR(of_one[a], scales[a], 1e-9);
+  EXPECT_NEAR(of_one[b], scales[a], 1e-9) << "b was explored once";
 }
 
 TEST(RecordingStatistics, OfDifferentThingsAreOfAllTogether) {

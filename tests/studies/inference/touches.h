@@ -10,7 +10,7 @@
 
 namespace somato::test {
 
-/// What a synthetic body feels.
+/// The settings of a synthetic body.
 struct SyntheticBody {
   double level = 2.0;
   double gain = 1.0;
