@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "explore/explore_table.h"
+#include "flags/command_line.h"
 #include "reproduce/kept_studies.h"
 #include "reproduce/part.h"
 #include "reproduce/reproduction_recordings.h"
@@ -83,5 +84,10 @@ class MatchRun {
 /// Writes match.json, and for each setting of the posterior a folder `bodies/01`, ... with the file
 /// of the body, and settings.toml and objects.toml for `somato explore`. Errors: kSystem.
 Result<void> save_match(const MatchRequest& request, const Match& match);
+
+/// Fits a body to the recording of --match: simulates the draws of --over, and if no other part
+/// has draws left, writes the results and prints them. Errors (kUsage): flags, tables and keys that
+/// have no effect; several systems; those of reading the files. Others: those of MatchRun.
+Result<void> run_match(const Arguments& arguments);
 
 }  // namespace somato::program

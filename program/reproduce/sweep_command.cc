@@ -12,7 +12,7 @@
 #include "recordings/study_data.h"
 #include "reproduce/inference_run.h"
 #include "reproduce/inference_table.h"
-#include "reproduce/match_request.h"
+#include "reproduce/match_run.h"
 #include "reproduce/sweep_run.h"
 #include "reproduce/sweep_table.h"
 #include "som/data.h"
