@@ -159,14 +159,37 @@ Result<void> check_usable(const Match& match, const std::vector<std::size_t>& us
       {}, "increase 'points' of [sweep]");
 }
 
+// Without those that no draw reaches, which no setting explains; all of them if none is reached.
+std::vector<std::size_t> reached_statistics(const Match& match,
+                                            const std::vector<std::size_t>& used) {
+  std::vector<std::size_t> reached;
+  for (const std::size_t k : used) {
+    if (!match.out_of_reach[k]) reached.push_back(k);
+  }
+  return reached.empty() ? used : reached;
+}
+
+// A regression on many statistics may predict a place beyond all draws.
+void keep_within_draws(RidgePrediction& summary) {
+  const auto [least, greatest] =
+      std::minmax_element(summary.of_rows.begin(), summary.of_rows.end());
+  summary.of_given = std::clamp(summary.of_given, *least, *greatest);
+}
+
 void infer_unknowns(Match& match, const std::vector<std::size_t>& used,
                     const std::vector<std::size_t>& complete) {
   const SweepDescription& sweep = match.draws.sweep.sweep;
-  const Matrix<double> predictors = predictors_of(match.touch, match.draws, complete, used);
+  const std::vector<double> all_observed =
+      observed_predictors(predictors_of(match.touch, match.draws, complete, used));
+  for (std::size_t c = 0; c < used.size(); ++c) {
+    match.out_of_reach[used[c]] = all_observed[c] != 0.0;
+  }
+  const Matrix<double> predictors =
+      predictors_of(match.touch, match.draws, complete, reached_statistics(match, used));
   const std::vector<double> observed = observed_predictors(predictors);
-  for (std::size_t c = 0; c < used.size(); ++c) match.out_of_reach[used[c]] = observed[c] != 0.0;
   Matrix<double> places = places_of_draws(match.draws, complete);
   match.summaries = ridge_predictions(predictors, places, observed);
+  for (RidgePrediction& summary : match.summaries) keep_within_draws(summary);
   const Observation observation = observation_of(match.summaries);
   Simulations all =
       simulations_with(std::move(places), match.summaries, continuous_unknowns(sweep));
