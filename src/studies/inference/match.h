@@ -70,10 +70,10 @@ struct Match {
 /// Infers the unknowns from the statistics of the fitted half: they are compared as asinh((s - r) /
 /// scale), of spreads with the difference of logarithms, and each unknown is predicted from them by
 /// a ridge regression. The predictions, of each draw by the other draws, are the statistics of the
-/// acceptance; their errors are its scales. Statistics that no draw
-/// reaches have no part, unless no other remains (then the nearest draw counts as observed), and
-/// predictions are kept within those of the draws. Statistics without a scale and those that a
-/// tenth of the draws lacks have no part; draws that lack others neither.
+/// acceptance; their errors are its scales. Statistics that no draw reaches have no part, unless
+/// no other remains (the nearest value of a draw then counts as observed), and predictions are kept
+/// within those of the draws. Statistics without a scale and those that a tenth of the draws lacks
+/// have no part; draws that lack others neither.
 ///
 /// Errors (kData): no statistic that can be used, fewer than three draws. Source: P. Fearnhead, D.
 /// Prangle, "Constructing summary statistics for approximate Bayesian computation", J. R. Stat.
