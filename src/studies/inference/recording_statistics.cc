@@ -382,6 +382,7 @@ std::pair<std::vector<std::size_t>, std::vector<std::size_t>> halves_of(
   }
   if (most < 2) {
     std::vector<std::size_t> all;
+    all.reserve(touch.same.size());
     for (std::size_t row = 0; row < touch.same.size(); ++row) all.push_back(row);
     things = {{0, all}};
   }

@@ -146,6 +146,7 @@ class Ridge {
 
 std::vector<double> column_of(const Matrix<double>& values, std::size_t column) {
   std::vector<double> all;
+  all.reserve(values.rows());
   for (std::size_t i = 0; i < values.rows(); ++i) all.push_back(values(i, column));
   return all;
 }

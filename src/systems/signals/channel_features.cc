@@ -133,6 +133,7 @@ std::vector<double> spectrum_of(const FeaturedChannel& featured,
   std::vector<MeanAndSpread> octaves(octaves_of(featured.spectrum_frames));
   for (const std::vector<double>& one : series) add_octaves(one, transform, octaves);
   std::vector<double> roots;
+  roots.reserve(octaves.size());
   for (const MeanAndSpread& octave : octaves) roots.push_back(std::sqrt(octave.mean()));
   return roots;
 }
