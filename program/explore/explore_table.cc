@@ -98,6 +98,12 @@ std::map<std::string, ParameterInfo> explore_parameters() {
   return all;
 }
 
+std::map<std::string, std::string> explore_defaults() {
+  std::map<std::string, std::string> defaults;
+  for (const auto& [name, info] : explore_parameters()) defaults[name] = info.default_text;
+  return defaults;
+}
+
 std::string to_text(const ExploreTable& table) {
   const ExploringParameters& all = table.exploring;
   return parameters_to_toml(table.explore) + parameters_to_toml(all.simulation) +

@@ -43,6 +43,9 @@ Result<ExploreTable> read_explore_table(const Table& table);
 /// "explore.simulation.placement_noise".
 std::map<std::string, ParameterInfo> explore_parameters();
 
+/// The defaults of these keys as text.
+std::map<std::string, std::string> explore_defaults();
+
 /// The settings as text; equal texts give equal explorations.
 std::string to_text(const ExploreTable& table);
 

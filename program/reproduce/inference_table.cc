@@ -1,4 +1,4 @@
-#include "reproduce/inference_table.h"
+#include "reproduce/result_tables.h"
 
 #include <fmt/format.h>
 
@@ -28,10 +28,10 @@ std::string most_likely(const SweepDescription& sweep, const Unknown& unknown,
                      100.0 * inferred.prior_shares[best]);
 }
 
-std::string unknown_line(const InferenceResults& results, std::size_t number) {
-  const SweepDescription& sweep = results.draws.sweep.sweep;
+std::string unknown_line(const SweepDescription& sweep, const Inference& inference,
+                         std::size_t number) {
   const Unknown& unknown = sweep.unknowns[number];
-  const InferredUnknown& inferred = results.inference.unknowns[number];
+  const InferredUnknown& inferred = inference.unknowns[number];
   const std::string values =
       unknown.parameters.is_range()
           ? fmt::format("{} ({} to {})", short_value(sweep, number, inferred.posterior.median),
@@ -78,13 +78,10 @@ std::string joint_line(const InferenceResults& results) {
 
 }  // namespace
 
-std::string inference_table(const InferenceResults& results) {
-  const SystemSweep& sweep = results.draws.sweep;
-  std::string text = fmt::format(
-      "{}: {} with {} each; the {} nearest to {} accepted\n\n", names_of(sweep),
-      counted(results.draws.points.size(), "draw"), counted(sweep.sweep.sweep.pairs, "pair"),
-      results.inference.posterior.size(), counted(results.targets.targets.size(), "target"));
-  if (results.targets.inference.adjusted && !results.inference.posterior.is_adjusted) {
+std::string inferred_unknowns_table(const SweepDescription& sweep, const Inference& inference,
+                                    bool adjusted) {
+  std::string text;
+  if (adjusted && !inference.posterior.is_adjusted) {
     text +=
         "These are too few for the regression, so that their settings are not adjusted; more draws "
         "or a larger share 'accepted' would permit it.\n\n";
@@ -92,8 +89,19 @@ std::string inference_table(const InferenceResults& results) {
   text +=
       "  width  unknown, with the median and the central 90 % of the posterior (width: relative to "
       "the prior)\n";
-  for (std::size_t i = 0; i < results.inference.unknowns.size(); ++i)
-    text += unknown_line(results, i);
+  for (std::size_t i = 0; i < inference.unknowns.size(); ++i)
+    text += unknown_line(sweep, inference, i);
+  return text;
+}
+
+std::string inference_table(const InferenceResults& results) {
+  const SystemSweep& sweep = results.draws.sweep;
+  std::string text = fmt::format(
+      "{}: {} with {} each; the {} nearest to {} accepted\n\n", names_of(sweep),
+      counted(results.draws.points.size(), "draw"), counted(sweep.sweep.sweep.pairs, "pair"),
+      results.inference.posterior.size(), counted(results.targets.targets.size(), "target"));
+  text +=
+      inferred_unknowns_table(sweep.sweep, results.inference, results.targets.inference.adjusted);
   text += fmt::format("\n  {:>6}  {:>6}  {:>6}  {:>6}  {:11}  claim\n", "prior", "fresh", "others",
                       "chance", "");
   for (std::size_t i = 0; i < results.claims.size(); ++i) text += claim_line(results, i);

@@ -1,6 +1,7 @@
 #include "reproduce/kept_studies.h"
 
 #include <system_error>
+#include <utility>
 
 #include "base/files/whole_file.h"
 #include "flags/output_folder.h"
@@ -27,15 +28,24 @@ void KeptStudies::look() {
 }
 
 std::optional<PartResults> KeptStudies::find(const std::string& name) const {
-  const auto found = found_.find(name);
-  if (found == found_.end()) return {};
-  const auto content = read_whole(found->second.string());
+  const auto content = find_text(name);
   return content ? read_part_file(*content) : std::nullopt;
 }
 
 Result<void> KeptStudies::keep(const std::string& name, const PartResults& results) {
+  return keep_text(name, part_file(results));
+}
+
+std::optional<std::string> KeptStudies::find_text(const std::string& name) const {
+  const auto found = found_.find(name);
+  if (found == found_.end()) return {};
+  auto content = read_whole(found->second.string());
+  return content ? std::optional(std::move(*content)) : std::nullopt;
+}
+
+Result<void> KeptStudies::keep_text(const std::string& name, const std::string& text) {
   const std::filesystem::path path = own_ / (name + kFound);
-  SOMATO_TRY_VOID(save_whole(path.string(), part_file(results)));
+  SOMATO_TRY_VOID(save_whole(path.string(), text));
   found_[name] = path;
   return {};
 }

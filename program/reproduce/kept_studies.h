@@ -33,6 +33,10 @@ class KeptStudies {
   /// Errors: kSystem.
   Result<void> keep(const std::string& name, const PartResults& results);
 
+  /// The same for results that the caller writes as text and checks.
+  std::optional<std::string> find_text(const std::string& name) const;
+  Result<void> keep_text(const std::string& name, const std::string& text);
+
  private:
   std::filesystem::path parts_;
   std::filesystem::path own_;

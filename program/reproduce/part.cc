@@ -16,12 +16,12 @@
 namespace somato::program {
 namespace {
 
-constexpr std::size_t kMostParts = 1'000'000;
+constexpr std::size_t kMostPartsOfWork = 1'000'000;
 constexpr const char* kTask = "SLURM_ARRAY_TASK_ID";
 
 std::optional<std::size_t> whole_number(std::string_view text) {
   const auto number = number_of_text<std::size_t>(text);
-  return number && *number <= kMostParts ? number : std::nullopt;
+  return number && *number <= kMostPartsOfWork ? number : std::nullopt;
 }
 
 Result<Part> part_named(const std::string& text) {

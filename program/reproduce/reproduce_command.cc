@@ -16,7 +16,7 @@
 #include "recordings/study_data.h"
 #include "reproduce/part.h"
 #include "reproduce/part_recordings.h"
-#include "reproduce/reproduction_table.h"
+#include "reproduce/result_tables.h"
 #include "som/data.h"
 #include "somato/studies/claim.h"
 #include "somato/studies/own_systems.h"

@@ -20,18 +20,6 @@
 namespace somato::program {
 namespace {
 
-Result<ObjectTable> things_for(const ExploreTable& table, bool new_objects) {
-  const auto& materials = declared_materials();
-  if (new_objects) {
-    return lucs3_new_objects(materials).map(
-        [](std::vector<Object> objects) { return ObjectTable{std::move(objects), {}}; });
-  }
-  if (table.things) return *table.things;
-  const std::string& objects = table.explore.objects;
-  if (objects.empty()) return default_things(table.explore.body);
-  return find_object_table(objects, materials);
-}
-
 Result<void> explore_into(const std::string& path, const SimulatedExplorer& explorer,
                           std::size_t each, std::size_t threads, const std::string& name) {
   SOMATO_TRY(auto file, RecordingFile::begin(path));
@@ -134,6 +122,18 @@ Result<PairedRecording> read_given(const RecordingParameters& parameters, const 
   });
 }
 
+Result<ObjectTable> explored_things(const ExploreTable& table, bool new_objects) {
+  const auto& materials = declared_materials();
+  if (new_objects) {
+    return lucs3_new_objects(materials).map(
+        [](std::vector<Object> objects) { return ObjectTable{std::move(objects), {}}; });
+  }
+  if (table.things) return *table.things;
+  const std::string& objects = table.explore.objects;
+  if (objects.empty()) return default_things(table.explore.body);
+  return find_object_table(objects, materials);
+}
+
 KeptRecordings::Kept KeptRecordings::find(const std::string& key) const {
   const auto found = kept_.find(key);
   return found == kept_.end() ? nullptr : found->second;
@@ -159,7 +159,7 @@ Result<void> ExploredRecordings::explore(const ExploreTable& table, bool new_obj
   SOMATO_TRY([[maybe_unused]] const auto lock, FolderLock::wait(own_folder.path()));
   std::error_code missing;
   if (std::filesystem::exists(path, missing)) return {};
-  SOMATO_TRY(auto things, things_for(table, new_objects));
+  SOMATO_TRY(auto things, explored_things(table, new_objects));
   SOMATO_TRY(const auto explorer,
              simulated_explorer(table.explore.body, things, table.exploring, seed));
   const std::size_t each = new_objects ? 1 : table.explore.explorations;

@@ -22,6 +22,9 @@ Result<PairedRecording> read_given(const RecordingParameters& parameters, const 
 /// A recording with its description.
 PairedRecording paired_recording(std::string name, std::uint64_t seed, Recording recording);
 
+/// The things that the table explores, or the body's new ones. Errors: those of reading objects.
+Result<ObjectTable> explored_things(const ExploreTable& table, bool new_objects = false);
+
 /// Caches recordings, as long as they are small in total: several systems run on the same ones.
 /// When they are not, all are released but the latest.
 class KeptRecordings {

@@ -1,4 +1,4 @@
-#include "reproduce/reproduction_table.h"
+#include "reproduce/result_tables.h"
 
 #include <fmt/format.h>
 

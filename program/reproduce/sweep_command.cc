@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <map>
 #include <utility>
 
 #include "base/files/toml_file.h"
@@ -12,9 +11,9 @@
 #include "flags/result_output.h"
 #include "recordings/study_data.h"
 #include "reproduce/inference_run.h"
-#include "reproduce/inference_table.h"
+#include "reproduce/result_tables.h"
+#include "reproduce/match_run.h"
 #include "reproduce/sweep_run.h"
-#include "reproduce/sweep_table.h"
 #include "som/data.h"
 #include "somato/studies/own_systems.h"
 #include "studies/sweep/sweep.h"
@@ -24,12 +23,6 @@
 
 namespace somato::program {
 namespace {
-
-std::map<std::string, std::string> explore_defaults() {
-  std::map<std::string, std::string> defaults;
-  for (const auto& [name, info] : explore_parameters()) defaults[name] = info.default_text;
-  return defaults;
-}
 
 // With given recordings there is no exploration.
 Result<void> check_moved(const SweepRequest& request) {
@@ -141,6 +134,7 @@ Result<void> save_results(const Arguments& arguments, const SweepRequest& reques
 }
 
 Result<void> run_sweep(const Arguments& arguments) {
+  if (arguments.has("match")) return run_match(arguments);
   SOMATO_TRY(auto request, read_sweep_request(arguments));
   SweepRun sweep(request);
   SOMATO_TRY_VOID(sweep.make_folders());
@@ -167,7 +161,10 @@ std::vector<KeySection> key_sections_of_sweeps() {
        {key_table<SweepParameters>("`[sweep]`"), key_table<UnknownParameters>("`[unknown.NAME]`"),
         key_table<InferenceParameters>("`[inference]`",
                                        "The file of `--targets` ([inference](inference.md))."),
-        key_table<Target>("`[[target]]`")}}};
+        key_table<Target>("`[[target]]`"),
+        key_table<MatchParameters>("`[match]`",
+                                   "With `--match` in the file of `--over`, with `[inference]` "
+                                   "([fitting a body](../match.md)).")}}};
 }
 
 }  // namespace
@@ -178,18 +175,24 @@ Command sweep_command() {
       "Run systems over a design of their unknown settings, and report where their claims hold",
       {{"SYSTEM",
         "TOML file of a system with claims, or a name listed by 'somato systems'; several "
-        "systems on the same body share each point",
+        "systems on the same body share each point. With --match, a body or a file with a table "
+        "[explore]",
         true, true, Role::kInput, own_file_names}},
       {input_flag("--over", "TOML file with the unknowns and the design of the points", true),
        input_flag("--targets",
                   "TOML file with observed values, from which the unknowns are inferred: the "
                   "points are draws from a prior, and the nearest are accepted"),
+       input_flag(
+           "--match",
+           "Recording of a real hand or probe, to which the settings of the body are fitted: "
+           "the points are draws from a prior, and those whose recordings have the most "
+           "similar statistics are accepted"),
        part_flag("point"), given_recordings_flag(), test_recording_flag(),
        folder_flag(
            "-o,--out",
-           "Folder for sweep.json, sweep.svg, inference.json and the results of parts. Default: "
-           "out/sweep",
-           {"sweep.json", "sweep.svg", "inference.json"}),
+           "Folder for sweep.json, sweep.svg, inference.json, match.json and the results of parts. "
+           "Default: out/sweep",
+           {"sweep.json", "sweep.svg", "inference.json", "match.json"}),
        threads_flag(), json_flag()},
       {},
       run_sweep,

@@ -1,4 +1,4 @@
-#include "reproduce/sweep_table.h"
+#include "reproduce/result_tables.h"
 
 #include <fmt/format.h>
 

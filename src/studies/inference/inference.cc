@@ -40,15 +40,6 @@ double place_in_prior(const SweepDescription& sweep, const Unknown& unknown,
   return place_in_range(given, number).value_or(kNotMeasured);
 }
 
-std::vector<double> places_in_prior(const SweepDescription& sweep, const SweepPoint& point) {
-  std::vector<double> places;
-  places.reserve(point.size());
-  for (std::size_t u = 0; u < point.size(); ++u) {
-    places.push_back(place_in_prior(sweep, sweep.unknowns[u], *point[u]));
-  }
-  return places;
-}
-
 void add_simulation(const std::vector<double>& places, const SweepPointResults& point,
                     std::size_t pair, Simulations& all) {
   std::copy(places.begin(), places.end(), all.places.add_row().begin());
@@ -117,10 +108,7 @@ Simulations simulations_of(const SweepResults& results) {
   Simulations all{Matrix<double>(0, sweep.unknowns.size()),
                   Matrix<double>(0, results.sweep.measured.size()),
                   {},
-                  {}};
-  for (const Unknown& unknown : sweep.unknowns) {
-    all.is_continuous.push_back(unknown.parameters.is_range() && !unknown.parameters.whole);
-  }
+                  continuous_unknowns(sweep)};
   for (std::size_t draw = 0; draw < results.points.size(); ++draw) {
     const SweepPointResults& point = results.points[draw];
     const std::vector<double> places = places_in_prior(sweep, point.point);
@@ -133,17 +121,42 @@ Simulations simulations_of(const SweepResults& results) {
 }
 
 Result<Inference> infer(const SweepResults& results, const Targets& targets) {
+  Simulations all = simulations_of(results);
+  auto posterior = accept_nearest(all, targets.observation(), targets.rule());
+  if (!posterior) return nothing_measured(all, targets);
+  return summarized(results.sweep.sweep, std::move(all), std::move(*posterior),
+                    targets.observation().scales, targets.inference);
+}
+
+std::vector<double> places_in_prior(const SweepDescription& sweep, const SweepPoint& point) {
+  std::vector<double> places;
+  places.reserve(point.size());
+  for (std::size_t u = 0; u < point.size(); ++u) {
+    places.push_back(place_in_prior(sweep, sweep.unknowns[u], *point[u]));
+  }
+  return places;
+}
+
+std::vector<bool> continuous_unknowns(const SweepDescription& sweep) {
+  std::vector<bool> are;
+  are.reserve(sweep.unknowns.size());
+  for (const Unknown& unknown : sweep.unknowns) {
+    are.push_back(unknown.parameters.is_range() && !unknown.parameters.whole);
+  }
+  return are;
+}
+
+Inference summarized(const SweepDescription& sweep, Simulations simulations, Posterior posterior,
+                     const std::vector<double>& scales, const InferenceParameters& parameters) {
   Inference found;
-  found.simulations = simulations_of(results);
-  auto posterior = accept_nearest(found.simulations, targets.observation(), targets.rule());
-  if (!posterior) return nothing_measured(found.simulations, targets);
-  found.posterior = std::move(*posterior);
-  for (std::size_t u = 0; u < results.sweep.sweep.unknowns.size(); ++u) {
-    found.unknowns.push_back(inferred(results.sweep.sweep, u, found.simulations, found.posterior));
+  found.simulations = std::move(simulations);
+  found.posterior = std::move(posterior);
+  for (std::size_t u = 0; u < sweep.unknowns.size(); ++u) {
+    found.unknowns.push_back(inferred(sweep, u, found.simulations, found.posterior));
   }
   found.correlations = correlations_of(found.posterior);
-  found.calibration = calibrate(found.simulations, targets.observation().scales, targets.rule(),
-                                targets.inference.truths, targets.inference.seed);
+  found.calibration =
+      calibrate(found.simulations, scales, parameters.rule(), parameters.truths, parameters.seed);
   found.predicted = predicted_values(found.simulations, found.posterior);
   return found;
 }

@@ -43,6 +43,16 @@ Simulations simulations_of(const SweepResults& results);
 /// simulation has all measures, with a measure that none has.
 Result<Inference> infer(const SweepResults& results, const Targets& targets);
 
+/// The places of a point, whose unknowns all have values, in the priors of the unknowns: 0 to 1.
+std::vector<double> places_in_prior(const SweepDescription& sweep, const SweepPoint& point);
+
+/// For each unknown, whether places between those drawn have a meaning.
+std::vector<bool> continuous_unknowns(const SweepDescription& sweep);
+
+/// Summarizes a posterior of simulations and checks the rule that gave it. Sizes must agree.
+Inference summarized(const SweepDescription& sweep, Simulations simulations, Posterior posterior,
+                     const std::vector<double>& scales, const InferenceParameters& parameters);
+
 /// The value of unknown number `unknown` at a place of its prior.
 Value value_at_place(const SweepDescription& sweep, std::size_t unknown, double place);
 

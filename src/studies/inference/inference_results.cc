@@ -8,6 +8,7 @@
 #include "base/text/value_json.h"
 #include "studies/results/results_json.h"
 #include "studies/sweep/sweep_points.h"
+#include "systems/signals/mean_and_spread.h"
 
 namespace somato {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 using InferenceJson = nlohmann::ordered_json;
 
 constexpr int kInferenceVersion = 1;
+constexpr int kMatchVersion = 1;
 constexpr double kLeastExpected =
     5.0;  // simulations; the usual least count of a normal approximation
 
@@ -35,6 +37,13 @@ double mean_of(const std::vector<double>& values) {
 
 InferenceJson or_null(std::optional<ClaimVerdict> verdict) {
   return verdict ? InferenceJson(choice_name(*verdict)) : InferenceJson(nullptr);
+}
+
+template <typename Entry>
+InferenceJson list_of(std::size_t count, const Entry& entry) {
+  InferenceJson list = InferenceJson::array();
+  for (std::size_t i = 0; i < count; ++i) list.push_back(entry(i));
+  return list;
 }
 
 InferenceJson target_json(const InferenceResults& results, std::size_t number) {
@@ -59,10 +68,11 @@ InferenceJson summary_json(const SweepDescription& sweep, std::size_t unknown,
           {"high", to_json_value(value_at_place(sweep, unknown, summary.high))}};
 }
 
-InferenceJson inferred_json(const InferenceResults& results, std::size_t number) {
-  const SweepDescription& sweep = results.draws.sweep.sweep;
+InferenceJson inferred_json(const SystemSweep& swept, const Inference& inference,
+                            std::size_t number) {
+  const SweepDescription& sweep = swept.sweep;
   const Unknown& unknown = sweep.unknowns[number];
-  const InferredUnknown& inferred = results.inference.unknowns[number];
+  const InferredUnknown& inferred = inference.unknowns[number];
   InferenceJson cells = InferenceJson::array();
   const std::vector<SweepCell> all = sweep_cells(sweep, unknown);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -74,31 +84,29 @@ InferenceJson inferred_json(const InferenceResults& results, std::size_t number)
   return {{"name", unknown.name},
           {"key", unknown.parameters.key},
           {"text", unknown.parameters.text},
-          {"system", results.draws.sweep.own_values[number]},
+          {"system", swept.own_values[number]},
           {"cells", std::move(cells)},
           {"prior", summary_json(sweep, number, inferred.prior)},
           {"posterior", summary_json(sweep, number, inferred.posterior)},
           {"shrinkage", inferred.shrinkage()}};
 }
 
-InferenceJson dependences_json(const InferenceResults& results) {
+InferenceJson dependences_json(const std::vector<Unknown>& unknowns, const Inference& inference) {
   InferenceJson all = InferenceJson::array();
-  const auto& unknowns = results.draws.sweep.sweep.unknowns;
   for (std::size_t a = 0; a < unknowns.size(); ++a) {
     for (std::size_t b = a + 1; b < unknowns.size(); ++b) {
       all.push_back({{"first", unknowns[a].name},
                      {"second", unknowns[b].name},
-                     {"correlation", results.inference.correlations(a, b)}});
+                     {"correlation", inference.correlations(a, b)}});
     }
   }
   return all;
 }
 
-InferenceJson calibration_json(const InferenceResults& results) {
-  const Calibration& calibration = results.inference.calibration;
+InferenceJson calibration_json(const std::vector<Unknown>& names, const Calibration& calibration) {
   InferenceJson unknowns = InferenceJson::array();
   for (std::size_t u = 0; u < calibration.covered.size(); ++u) {
-    unknowns.push_back({{"name", results.draws.sweep.sweep.unknowns[u].name},
+    unknowns.push_back({{"name", names[u].name},
                         {"covered", calibration.covered[u]},
                         {"uniform_p", calibration.uniform_p[u]},
                         {"ranks", places_of(calibration.ranks, u)}});
@@ -147,16 +155,12 @@ InferenceJson joint_json(const SweepResults& results) {
           {"not_failing_as_written", counts.as_written}};
 }
 
-InferenceJson bodies_json(const InferenceResults& results) {
-  InferenceJson bodies = InferenceJson::array();
-  for (const SweepPointResults& point : results.fresh.points) {
-    InferenceJson values = InferenceJson::object();
-    for (std::size_t u = 0; u < point.point.size(); ++u) {
-      values[results.draws.sweep.sweep.unknowns[u].name] = to_json_value(point.point[u]->value);
-    }
-    bodies.push_back(std::move(values));
+InferenceJson body_json(const std::vector<Unknown>& unknowns, const SweepPoint& point) {
+  InferenceJson values = InferenceJson::object();
+  for (std::size_t u = 0; u < point.size(); ++u) {
+    values[unknowns[u].name] = to_json_value(point[u]->value);
   }
-  return bodies;
+  return values;
 }
 
 InferenceJson rule_json(const InferenceParameters& inference) {
@@ -165,11 +169,84 @@ InferenceJson rule_json(const InferenceParameters& inference) {
           {"pairs", inference.pairs},       {"seed", inference.seed}};
 }
 
-template <typename Entry>
-InferenceJson list_of(std::size_t count, const Entry& entry) {
-  InferenceJson list = InferenceJson::array();
-  for (std::size_t i = 0; i < count; ++i) list.push_back(entry(i));
-  return list;
+InferenceJson number_json(double number) {
+  return std::isfinite(number) ? InferenceJson(number) : InferenceJson(nullptr);
+}
+
+InferenceJson distance_json(const TouchDistance& distance) {
+  return {{"median", number_json(distance.median)},
+          {"root_mean_square", number_json(distance.root_mean_square)},
+          {"within_two", number_json(distance.within_two)}};
+}
+
+// The distances that this share of the draws is below, each measure by itself.
+TouchDistance quantile_of_draws(const Match& match, double share) {
+  const std::vector<double> equal(match.of_draws.size(), 1.0);
+  const auto quantile = [&](double TouchDistance::* measure) {
+    std::vector<double> values;
+    for (const TouchDistance& distance : match.of_draws) values.push_back(distance.*measure);
+    return weighted_quantile(values, equal, share);
+  };
+  return {quantile(&TouchDistance::median), quantile(&TouchDistance::root_mean_square),
+          quantile(&TouchDistance::within_two)};
+}
+
+InferenceJson distances_json(const Match& match) {
+  return {{"real", distance_json(match.by_chance)},
+          {"system", distance_json(mean_distance(match, match.system))},
+          {"prior", distance_json(quantile_of_draws(match, 0.5))},
+          {"nearest_twentieth", distance_json(quantile_of_draws(match, 0.05))},
+          {"posterior", distance_json(mean_distance(match, match.fresh))}};
+}
+
+double mean_of_column(const Matrix<double>& statistics, std::size_t column) {
+  MeanAndSpread mean;
+  for (std::size_t i = 0; i < statistics.rows(); ++i) mean.add(statistics(i, column));
+  return mean.mean();
+}
+
+InferenceJson statistic_json(const Match& match, std::size_t number) {
+  const Statistic& name = match.touch.names[number];
+  return {{"channel", name.channel},
+          {"measure", name.measure},
+          {"thing", name.thing},
+          {"fitted", number_json(match.touch.fitted[number])},
+          {"held_out", number_json(match.touch.held_out[number])},
+          {"scale", number_json(match.touch.scales[number])},
+          {"system", number_json(mean_of_column(match.system, number))},
+          {"prior", number_json(mean_of_column(match.draws.statistics, number))},
+          {"posterior", number_json(mean_of_column(match.fresh, number))},
+          {"out_of_reach", static_cast<bool>(match.out_of_reach[number])},
+          {"left_out", match.left_out[number]}};
+}
+
+InferenceJson ignored_json(const ComparedTouch& compared) {
+  return list_of(compared.ignored.size(), [&](std::size_t i) {
+    return InferenceJson{{"name", compared.ignored[i].name},
+                         {"reason", compared.ignored[i].reason}};
+  });
+}
+
+InferenceJson compared_json(const ComparedTouch& compared) {
+  InferenceJson channels = InferenceJson::array();
+  for (const FeaturedChannel& channel : compared.channels) channels.push_back(channel.name);
+  return {{"channels", std::move(channels)},
+          {"ignored", ignored_json(compared)},
+          {"label", compared.label},
+          {"things", compared.things}};
+}
+
+InferenceJson predicted_json(const Match& match, std::size_t unknown) {
+  const RidgePrediction& summary = match.summaries[unknown];
+  InferenceJson json = inferred_json(match.draws.sweep, match.inference, unknown);
+  json["predicted"] = summary.of_given;
+  json["error"] = summary.error;
+  json["penalty"] = summary.penalty;
+  return json;
+}
+
+std::string text_of(const InferenceJson& json) {
+  return json.dump(-1, ' ', false, InferenceJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -203,10 +280,11 @@ std::string to_json(const InferenceResults& results) {
       {"inference", rule_json(results.targets.inference)},
       {"targets", list_of(results.targets.targets.size(),
                           [&](std::size_t i) { return target_json(results, i); })},
-      {"unknowns", list_of(results.inference.unknowns.size(),
-                           [&](std::size_t i) { return inferred_json(results, i); })},
-      {"dependences", dependences_json(results)},
-      {"calibration", calibration_json(results)},
+      {"unknowns",
+       list_of(results.inference.unknowns.size(),
+               [&](std::size_t i) { return inferred_json(sweep, results.inference, i); })},
+      {"dependences", dependences_json(sweep.sweep.unknowns, results.inference)},
+      {"calibration", calibration_json(sweep.sweep.unknowns, results.inference.calibration)},
       {"claims", list_of(results.claims.size(),
                          [&](std::size_t i) { return supported_claim_json(results, i); })},
       {"conflicts",
@@ -216,8 +294,36 @@ std::string to_json(const InferenceResults& results) {
        {{"claims", sweep.claims.size()},
         {"prior", joint_json(results.draws)},
         {"fresh", joint_json(results.fresh)}}},
-      {"bodies", bodies_json(results)}};
-  return json.dump(-1, ' ', false, InferenceJson::error_handler_t::replace) + "\n";
+      {"bodies", list_of(results.fresh.points.size(), [&](std::size_t i) {
+         return body_json(sweep.sweep.unknowns, results.fresh.points[i].point);
+       })}};
+  return text_of(json);
+}
+
+std::string to_json(const Match& match) {
+  const SystemSweep& sweep = match.draws.sweep;
+  const std::vector<Unknown>& unknowns = sweep.sweep.unknowns;
+  const InferenceJson json = {
+      {"version", kMatchVersion},
+      {"body", names_of(sweep)},
+      {"draws", match.draws.points.size()},
+      {"accepted", match.inference.posterior.size()},
+      {"adjusted", match.inference.posterior.is_adjusted},
+      {"inference", rule_json(match.parameters)},
+      {"compared", compared_json(match.touch.compared)},
+      {"explorations",
+       {{"fitted", match.touch.fitted_explorations},
+        {"held_out", match.touch.held_out_explorations}}},
+      {"distances", distances_json(match)},
+      {"unknowns",
+       list_of(unknowns.size(), [&](std::size_t i) { return predicted_json(match, i); })},
+      {"dependences", dependences_json(unknowns, match.inference)},
+      {"calibration", calibration_json(unknowns, match.inference.calibration)},
+      {"statistics",
+       list_of(match.touch.names.size(), [&](std::size_t i) { return statistic_json(match, i); })},
+      {"bodies", list_of(match.bodies.size(),
+                         [&](std::size_t i) { return body_json(unknowns, match.bodies[i]); })}};
+  return text_of(json);
 }
 
 }  // namespace somato

@@ -5,6 +5,7 @@
 
 #include "studies/inference/claim_support.h"
 #include "studies/inference/inference.h"
+#include "studies/inference/match.h"
 #include "studies/inference/targets.h"
 #include "studies/sweep/sweep_results.h"
 
@@ -27,5 +28,8 @@ InferenceResults with_claims(SweepResults draws, Targets targets, Inference infe
 
 /// The results as inference.json, version 1; the same bytes for the same results.
 std::string to_json(const InferenceResults& results);
+
+/// The results as match.json, version 1; likewise.
+std::string to_json(const Match& match);
 
 }  // namespace somato

@@ -104,15 +104,6 @@ bool overlap(std::uint64_t a, std::size_t count_a, std::uint64_t b, std::size_t 
   return a < b ? b - a < count_a : a - b < count_b;
 }
 
-Result<void> check_seeds(const InferenceParameters& inference, const SweepParameters& sweep,
-                         const std::string& where) {
-  const std::size_t swept = *sweep.points * std::max(sweep.pairs, sweep.recordings);
-  const std::size_t fresh = inference.bodies * inference.pairs;
-  if (!overlap(sweep.seed, swept, inference.seed, fresh)) return {};
-  return fail(ErrorKind::kUsage, "the fresh seeds are among those of the sweep", where,
-              "set 'seed' of [inference] to " + std::to_string(sweep.seed + swept) + " or more");
-}
-
 }  // namespace
 
 const Declarations<InferenceParameters>& InferenceParameters::declarations() {
@@ -185,6 +176,18 @@ Result<Targets> read_targets(const Table& file) {
   return read;
 }
 
+Result<void> check_inferable(const InferenceParameters& inference, const SweepParameters& sweep,
+                             std::size_t drawn, std::size_t fresh, const std::string& where) {
+  if (has_levels(sweep.design)) {
+    return fail(ErrorKind::kUsage,
+                "an inference requires a sweep in which all unknowns vary at once", where,
+                R"(use the design "sobol" or "latin_hypercube" with 'points')");
+  }
+  if (!overlap(sweep.seed, drawn, inference.seed, fresh)) return {};
+  return fail(ErrorKind::kUsage, "the fresh seeds are among those of the sweep", where,
+              "set 'seed' of [inference] to " + std::to_string(sweep.seed + drawn) + " or more");
+}
+
 bool is_about(const Claim& claim, const Target& target) {
   if (claim.protocol != target.protocol || claim.group != target.group) return false;
   const auto is_measure = [&](const std::string& system, const std::string& variation,
@@ -199,12 +202,10 @@ bool is_about(const Claim& claim, const Target& target) {
 
 Result<void> add_targets(const Targets& targets, SystemSweep& sweep) {
   const std::string& where = targets.targets.front().where;
-  if (has_levels(sweep.sweep.sweep.design)) {
-    return fail(ErrorKind::kUsage,
-                "an inference requires a sweep in which all unknowns vary at once", where,
-                R"(use the design "sobol" or "latin_hypercube" with 'points')");
-  }
-  SOMATO_TRY_VOID(check_seeds(targets.inference, sweep.sweep.sweep, where));
+  const SweepParameters& draws = sweep.sweep.sweep;
+  SOMATO_TRY_VOID(check_inferable(
+      targets.inference, draws, draws.points.value_or(0) * std::max(draws.pairs, draws.recordings),
+      targets.inference.bodies * targets.inference.pairs, where));
   ReproductionPlan plan;
   for (const NamedFile& file : sweep.files) {
     SOMATO_TRY_VOID(add_to_plan(file, {}, plan));

@@ -23,6 +23,8 @@ struct InferenceParameters {
   std::size_t pairs = 5;
   std::uint64_t seed = 9001;
 
+  AcceptanceRule rule() const { return {accepted, adjusted}; }
+
   static const Declarations<InferenceParameters>& declarations();
 };
 
@@ -47,7 +49,7 @@ struct Targets {
   InferenceParameters inference;
   std::vector<Target> targets;
 
-  AcceptanceRule rule() const { return {inference.accepted, inference.adjusted}; }
+  AcceptanceRule rule() const { return inference.rule(); }
   Observation observation() const;
 };
 
@@ -55,6 +57,11 @@ struct Targets {
 /// target; a target without text, system, metric, observed value or scale, or with an unknown
 /// metric or protocol; a scale that is not above 0; two targets with the same measure.
 Result<Targets> read_targets(const Table& file);
+
+/// Errors (kUsage): a design in which not all unknowns vary at once; fresh seeds, of which there
+/// are `fresh`, among the `drawn` seeds of the draws, each of which has its own.
+Result<void> check_inferable(const InferenceParameters& inference, const SweepParameters& sweep,
+                             std::size_t drawn, std::size_t fresh, const std::string& where);
 
 /// Whether a claim, or the other side of its comparison, is about the measure of a target.
 bool is_about(const Claim& claim, const Target& target);

@@ -148,6 +148,25 @@ Result<std::string> own_values_of(const std::vector<NamedFile>& files, const Unk
   return text;
 }
 
+Result<void> check_names_of_systems(const Unknown& unknown,
+                                    const std::vector<std::string>& systems) {
+  for (const std::string& system : unknown.parameters.systems) {
+    if (contains(systems, system)) continue;
+    return fail(unknown_name("system of the sweep", system, unknown.where, systems));
+  }
+  return {};
+}
+
+Result<void> take_own_values(const std::map<std::string, std::string>& explore_defaults,
+                             SystemSweep& sweep) {
+  for (const Unknown& unknown : sweep.sweep.unknowns) {
+    SOMATO_TRY_VOID(check_names_of_systems(unknown, sweep.systems));
+    SOMATO_TRY(auto own, own_values_of(sweep.files, unknown, explore_defaults));
+    sweep.own_values.push_back(std::move(own));
+  }
+  return {};
+}
+
 // Claims that compare with another system need a run of that one.
 void take_claims(const ReproductionPlan& plan, SystemSweep& sweep) {
   for (const Claim& claim : plan.claims) {
@@ -200,15 +219,6 @@ Result<void> check_systems(const SweepDescription& sweep, const std::vector<Name
               claim->where, "write [[claim]] in the files of the systems, or sweep one system");
 }
 
-Result<void> check_names_of_systems(const Unknown& unknown,
-                                    const std::vector<std::string>& systems) {
-  for (const std::string& system : unknown.parameters.systems) {
-    if (contains(systems, system)) continue;
-    return fail(unknown_name("system of the sweep", system, unknown.where, systems));
-  }
-  return {};
-}
-
 // Adds the system, with the changes of the sweep.
 Result<void> add_system(const NamedFile& system, const std::vector<NamedFile>& all,
                         SystemSweep& planned, ReproductionPlan& plan) {
@@ -242,17 +252,21 @@ Result<SystemSweep> plan_sweep(const SweepDescription& sweep, const std::vector<
   for (const NamedFile& system : systems) {
     SOMATO_TRY_VOID(add_system(system, systems, planned, plan));
   }
-  for (const Unknown& unknown : sweep.unknowns) {
-    SOMATO_TRY_VOID(check_names_of_systems(unknown, planned.systems));
-    SOMATO_TRY(auto own, own_values_of(planned.files, unknown, explore_defaults));
-    planned.own_values.push_back(std::move(own));
-  }
+  SOMATO_TRY_VOID(take_own_values(explore_defaults, planned));
   take_claims(plan, planned);
   if (planned.claims.empty()) {
     return fail(ErrorKind::kUsage, "the system has no claims that a sweep could evaluate",
                 plan.parts.front().description.where,
                 "add a table [[claim]] to its file, or to that of the sweep");
   }
+  return planned;
+}
+
+Result<SystemSweep> plan_body_sweep(const SweepDescription& sweep, const NamedFile& body,
+                                    const std::map<std::string, std::string>& explore_defaults) {
+  SOMATO_TRY(auto changed, with_changes(body.content, sweep.changes));
+  SystemSweep planned{{body.name}, sweep, {{body.name, std::move(changed)}}, {}, {}, {}};
+  SOMATO_TRY_VOID(take_own_values(explore_defaults, planned));
   return planned;
 }
 

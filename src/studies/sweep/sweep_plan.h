@@ -36,6 +36,11 @@ std::string names_of(const SystemSweep& sweep);
 Result<SystemSweep> plan_sweep(const SweepDescription& sweep, const std::vector<NamedFile>& systems,
                                const std::map<std::string, std::string>& explore_defaults);
 
+/// Combines a sweep and the exploration of one file, which needs no other tables. Errors (kUsage)
+/// with their location: a key that the file does not have.
+Result<SystemSweep> plan_body_sweep(const SweepDescription& sweep, const NamedFile& body,
+                                    const std::map<std::string, std::string>& explore_defaults);
+
 /// The files of the systems with the values of a point. Errors: those of with_changes(), at the
 /// unknown.
 Result<std::vector<NamedFile>> files_at(const SystemSweep& sweep, const SweepPoint& point);

@@ -1,0 +1,176 @@
+#include "studies/inference/ridge_regression.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "somato/core/check.h"
+
+namespace somato {
+namespace {
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+// Columns with mean 0 and standard deviation 1, without constant ones; the given row likewise.
+struct StandardPredictors {
+  Matrix<double> rows;
+  std::vector<double> given;
+};
+
+struct ColumnScale {
+  std::size_t column = 0;
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+std::vector<ColumnScale> varying_columns(const Matrix<double>& rows) {
+  std::vector<ColumnScale> scales;
+  const auto count = static_cast<double>(rows.rows());
+  for (std::size_t c = 0; c < rows.columns(); ++c) {
+    double mean = 0.0;
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < rows.rows(); ++i) {
+      mean += rows(i, c) / count;
+      greatest = std::max(greatest, std::abs(rows(i, c)));
+    }
+    double squares = 0.0;
+    for (std::size_t i = 0; i < rows.rows(); ++i)
+      squares += (rows(i, c) - mean) * (rows(i, c) - mean);
+    const double deviation = std::sqrt(squares / count);
+    if (deviation > 1e-12 * greatest) scales.push_back({c, mean, deviation});  // above rounding
+  }
+  return scales;
+}
+
+StandardPredictors standardized(const Matrix<double>& rows, std::span<const double> given) {
+  const std::vector<ColumnScale> scales = varying_columns(rows);
+  StandardPredictors standard{Matrix<double>(rows.rows(), scales.size()), {}};
+  for (std::size_t c = 0; c < scales.size(); ++c) {
+    const auto& [column, mean, deviation] = scales[c];
+    for (std::size_t i = 0; i < rows.rows(); ++i)
+      standard.rows(i, c) = (rows(i, column) - mean) / deviation;
+    standard.given.push_back((given[column] - mean) / deviation);
+  }
+  return standard;
+}
+
+// The sums of products of the columns; the lower triangle.
+Matrix<double> products_of(const Matrix<double>& rows) {
+  Matrix<double> products(rows.columns(), rows.columns());
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    const auto row = rows.row(i);
+    for (std::size_t a = 0; a < row.size(); ++a) {
+      for (std::size_t b = 0; b <= a; ++b) products(a, b) += row[a] * row[b];
+    }
+  }
+  return products;
+}
+
+// The triangle of Cholesky of the products with a penalty above 0 on the diagonal.
+Matrix<double> triangle_of(const Matrix<double>& products, double penalty) {
+  Matrix<double> triangle = products;
+  for (std::size_t a = 0; a < triangle.rows(); ++a) {
+    for (std::size_t b = 0; b <= a; ++b) {
+      const auto before = dot(triangle.row(a).first(b), triangle.row(b).first(b));
+      if (b < a) {
+        triangle(a, b) = (triangle(a, b) - before) / triangle(b, b);
+      } else {
+        // The exact value is at least the penalty.
+        triangle(a, a) = std::sqrt(std::max(triangle(a, a) + penalty - before, penalty));
+      }
+    }
+  }
+  return triangle;
+}
+
+// Solves the triangle: the product of two solutions is their product by the inverse.
+std::vector<double> solved(const Matrix<double>& triangle, std::span<const double> right) {
+  std::vector<double> solution(right.begin(), right.end());
+  for (std::size_t a = 0; a < solution.size(); ++a) {
+    const double before = dot(triangle.row(a).first(a), std::span(solution).first(a));
+    solution[a] = (solution[a] - before) / triangle(a, a);
+  }
+  return solution;
+}
+
+// The values less their mean, times the predictors.
+std::vector<double> sums_with(const Matrix<double>& rows, std::span<const double> centred) {
+  std::vector<double> sums(rows.columns(), 0.0);
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += centred[i] * rows(i, c);
+  }
+  return sums;
+}
+
+// The regressions with one penalty.
+class Ridge {
+ public:
+  Ridge(const StandardPredictors& predictors, const Matrix<double>& products, double penalty)
+      : predictors_(predictors),
+        triangle_(triangle_of(products, penalty * static_cast<double>(predictors.rows.rows()))),
+        given_(solved(triangle_, predictors.given)),
+        penalty_(penalty) {
+    for (std::size_t i = 0; i < predictors.rows.rows(); ++i)
+      rows_.push_back(solved(triangle_, predictors.rows.row(i)));
+  }
+
+  RidgePrediction prediction(const std::vector<double>& values) const {
+    const auto count = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    std::vector<double> centred = values;
+    for (double& value : centred) value -= mean;
+    const std::vector<double> sums = solved(triangle_, sums_with(predictors_.rows, centred));
+    RidgePrediction found{{}, mean + dot(given_, sums), 0.0, penalty_};
+    double squares = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      // Without row i, the difference is larger by the share of the row in its own prediction.
+      const double own = 1.0 / count + dot(rows_[i], rows_[i]);
+      const double difference = (centred[i] - dot(rows_[i], sums)) / std::max(1.0 - own, 1e-9);
+      found.of_rows.push_back(values[i] - difference);
+      squares += difference * difference;
+    }
+    found.error = std::sqrt(squares / count);
+    return found;
+  }
+
+ private:
+  const StandardPredictors& predictors_;
+  Matrix<double> triangle_;
+  std::vector<double> given_;
+  std::vector<std::vector<double>> rows_;
+  double penalty_;
+};
+
+std::vector<double> column_of(const Matrix<double>& values, std::size_t column) {
+  std::vector<double> all;
+  all.reserve(values.rows());
+  for (std::size_t i = 0; i < values.rows(); ++i) all.push_back(values(i, column));
+  return all;
+}
+
+}  // namespace
+
+std::vector<RidgePrediction> ridge_predictions(const Matrix<double>& predictors,
+                                               const Matrix<double>& values,
+                                               std::span<const double> given) {
+  require(predictors.rows() == values.rows() && given.size() == predictors.columns(),
+          "each row has predictors and values");
+  require(values.rows() >= 3, "a regression requires three rows");
+  const StandardPredictors standard = standardized(predictors, given);
+  const Matrix<double> products = products_of(standard.rows);
+  std::vector<RidgePrediction> best(values.columns());
+  for (RidgePrediction& one : best) one.error = std::numeric_limits<double>::infinity();
+  for (const double penalty : kRidgePenalties) {
+    const Ridge ridge(standard, products, penalty);
+    for (std::size_t v = 0; v < best.size(); ++v) {
+      RidgePrediction found = ridge.prediction(column_of(values, v));
+      if (found.error <= best[v].error) best[v] = std::move(found);
+    }
+  }
+  return best;
+}
+
+}  // namespace somato
