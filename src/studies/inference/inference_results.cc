@@ -184,6 +184,7 @@ TouchDistance quantile_of_draws(const Match& match, double share) {
   const std::vector<double> equal(match.of_draws.size(), 1.0);
   const auto quantile = [&](double TouchDistance::* measure) {
     std::vector<double> values;
+    values.reserve(match.of_draws.size());
     for (const TouchDistance& distance : match.of_draws) values.push_back(distance.*measure);
     return weighted_quantile(values, equal, share);
   };
