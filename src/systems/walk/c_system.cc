@@ -34,8 +34,7 @@ struct somato_system {
   std::optional<somato::AnswerReader> reader;
   somato::SomWorkspace workspace;
   std::vector<std::span<const float>> frame;  // of a step
-  bool is_open = true;                        // whether an exploration can go on
-  bool has_frames = false;
+  bool is_open = true;                        // whether an exploration can continue
   std::string message;
 };
 
@@ -67,12 +66,11 @@ somato::Result<void> somato_system::step(const float* const* values) {
   is_open = false;  // until the frame has been processed
   SOMATO_TRY_VOID(live->step(frame));
   is_open = true;
-  has_frames = true;
   return {};
 }
 
 somato::Result<somato_answer> somato_system::answer() {
-  somato::require(is_open && has_frames, "an answer needs a frame of the present exploration");
+  somato::require(is_open, "an exploration has ended; somato_start() begins the next one");
   SOMATO_TRY(const auto input, live->input());
   const somato::InputAnswer given = reader->answer(input, workspace);
   return somato_answer{given.winner,
@@ -84,7 +82,7 @@ somato::Result<somato_answer> somato_system::answer() {
 }
 
 somato::Result<void> somato_system::teach(const std::string& name) {
-  somato::require(is_open && has_frames, "a name needs a frame of the present exploration");
+  somato::require(is_open, "an exploration has ended; somato_start() begins the next one");
   SOMATO_TRY(const auto input, live->input());
   const somato::Signal kept = somato::Signal::copy_of(input);
   SOMATO_TRY_VOID(somato::teach(model, kept.view(), name));
@@ -186,7 +184,6 @@ somato_status somato_start(somato_system* system, double frame_rate) {
     somato::require(system->reader.has_value(), "the system could not be read after it learned");
     system->live->start(frame_rate);
     system->is_open = true;
-    system->has_frames = false;
     return {};
   });
 }

@@ -107,6 +107,8 @@ TEST(CSystem, TeachesAndSaves) {
     ASSERT_EQ(somato_teach(system.get(), "cup"), SOMATO_OK) << somato_message(system.get());
     somato_answer answer{};
     EXPECT_EQ(somato_read(system.get(), &answer), SOMATO_USAGE);
+    EXPECT_EQ(step(system, testing::frames_of(all, "joints", 15).row(0)), SOMATO_USAGE)
+        << "the exploration has ended";
     follow(system, all, 15);
     EXPECT_STREQ(somato_class_name(system.get(), read(system).nearest), "cup");
 
@@ -169,6 +171,34 @@ TEST(CSystem, RefusesFramesThatAreNoNumbersAndContinuesAfterAStart) {
   EXPECT_EQ(read(system).distance, before.distance) << "a refused frame is not part of the answer";
   follow(system, all, 3);
   EXPECT_EQ(read(system).distance, before.distance);
+}
+
+// The code refuses values outside its range.
+SystemModel model_with_code() {
+  const Recording all = recording();
+  const std::string text =
+      "[module.joints]\ntype = \"channel\"\nchannel = \"joints\"\n" +
+      testing::module("code", "one_hot",
+                      "input = 'joints'\nlow = -1000\nhigh = 1000\nelements = 100") +
+      testing::module("sum", "accumulate", "input = 'code'") +
+      testing::module("map", "som", "input = 'sum'\nrows = 2\ncolumns = 2\niterations = 20\n");
+  SystemModel model{testing::trained(testing::build(text, all), all, 6, 3), {}};
+  model.answer = answer_of(model.system, 3, "object", {"a"}, {0}, {0});
+  return model;
+}
+
+TEST(CSystem, NeedsAStartAfterAFrameThatAModuleRefuses) {
+  const Recording all = recording();
+  const LoadedSystem system = loaded(model_with_code());
+  follow(system, all, 0);
+  const std::vector<float> outside(somato_channel_elements(system.get(), 0), 5000.0F);
+  EXPECT_EQ(step(system, outside), SOMATO_DATA);
+  EXPECT_NE(std::string(somato_message(system.get())).find("code"), std::string::npos);
+  EXPECT_EQ(step(system, testing::frames_of(all, "joints", 0).row(0)), SOMATO_USAGE);
+  somato_answer answer{};
+  EXPECT_EQ(somato_read(system.get(), &answer), SOMATO_USAGE);
+  follow(system, all, 0);
+  EXPECT_EQ(somato_read(system.get(), &answer), SOMATO_OK);
 }
 
 TEST(CSystem, RefusesNamesAndPathsThatCannotBe) {
