@@ -134,7 +134,7 @@ TEST(LiveSystem, AnswersForOtherModulesAsIfEachFrameWereTheLast) {
   }
 }
 
-// Of steps with the frames of all explorations, after steps with the first `warm_up` of these.
+// Allocations of steps with the frames of all explorations, after steps with `warm_up` of these.
 std::size_t allocations_of_steps(const std::string& text, std::size_t warm_up) {
   const Recording recording = hand_recording(kExplorations, 7);
   const System system = testing::trained(testing::build(text, recording), recording, kLearned);
