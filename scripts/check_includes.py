@@ -6,7 +6,6 @@ usage: check_includes.py [TREE]
 
 import re
 import sys
-from pathlib import Path
 
 import rooms
 
@@ -112,12 +111,5 @@ def check(tree):
     return problems
 
 
-def main():
-    tree = Path(sys.argv[1]) if len(sys.argv) > 1 else rooms.TREE
-    problems = check(tree)
-    print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
-    return 1 if problems else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(rooms.report(check))

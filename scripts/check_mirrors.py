@@ -9,7 +9,6 @@ usage: check_mirrors.py [TREE]
 """
 
 import sys
-from pathlib import Path
 
 import rooms
 from check_includes import includes
@@ -83,12 +82,5 @@ def check(tree):
     return problems
 
 
-def main():
-    tree = Path(sys.argv[1]) if len(sys.argv) > 1 else rooms.TREE
-    problems = check(tree)
-    print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
-    return 1 if problems else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(rooms.report(check))

@@ -125,12 +125,5 @@ def check(tree):
     return [problem for folder in folders for problem in check_folder(tree, folder)]
 
 
-def main():
-    tree = Path(sys.argv[1]) if len(sys.argv) > 1 else rooms.TREE
-    problems = check(tree)
-    print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
-    return 1 if problems else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(rooms.report(check))

@@ -5,6 +5,7 @@ of those wings. A public header belongs to its wing, not to a room: every room o
 """
 
 import json
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -66,6 +67,13 @@ class Table:
 
 def read(tree=TREE):
     return Table(json.loads((tree / "src/rooms.json").read_text(encoding="utf-8")))
+
+
+def report(check):
+    """Prints the problems that `check` finds in the tree of the first argument, or in this one; the exit code."""
+    problems = check(Path(sys.argv[1]) if len(sys.argv) > 1 else TREE)
+    print(*problems, sep="\n", end="\n" if problems else "", file=sys.stderr)
+    return 1 if problems else 0
 
 
 def markdown(table):
