@@ -164,7 +164,9 @@ bool has_lines_in(std::string_view text, std::string_view again) {
   const std::vector<std::string> lines = split(text, '\n');
   return std::ranges::all_of(lines, [&](const std::string& line) {
     from = std::find(from, present.end(), line);
-    return from != present.end() && (++from, true);
+    if (from == present.end()) return false;
+    ++from;
+    return true;
   });
 }
 
