@@ -4,7 +4,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/somato)
 
 configure_package_config_file(cmake/somato-config.cmake.in somato-config.cmake
   INSTALL_DESTINATION ${package_folder})
-write_basic_package_version_file(somato-config-version.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(somato-config-version.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/somato-config.cmake
               ${PROJECT_BINARY_DIR}/somato-config-version.cmake
               cmake/Findlz4.cmake cmake/Findzstd.cmake

@@ -21,7 +21,7 @@ ADVICE = "split it, or move files to a neighbour (CONTRIBUTING.md)"
 
 # Folders of files that are not rooms, each with its reason.
 ROOMS_OF_TESTS = {
-    "house": "tests of the checks", "install": "users of the installed package", "mcap": "another implementation",
+    "golden": "files of earlier versions", "house": "tests of the checks", "install": "users of the installed package", "mcap": "another implementation",
     "peers": "the makers' own libraries", "python": "the Python package", "same_bits": "bits of every build",
     "web": "tests of the pages, which are in web/tests",
 }

@@ -26,7 +26,7 @@ FOLDERS_WITHOUT_PAGES = [path.name for path in TREE.iterdir() if path.name not i
 # The pages stay where they are, so that their links are those of the repository.
 root_doc = "docs/README"
 include_patterns = ["docs/**", "README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "STYLE.md",
-                    "examples/**", "src/*/README.md", "program/README.md"]
+                    "SECURITY.md", "examples/**", "src/*/README.md", "program/README.md", "tests/golden/README.md"]
 exclude_patterns = ["docs/site", "docs/pictures", *FOLDERS_WITHOUT_PAGES]
 
 myst_enable_extensions = ["dollarmath"]

@@ -27,9 +27,10 @@ void KeptStudies::look() {
   }
 }
 
-std::optional<PartResults> KeptStudies::find(const std::string& name) const {
+Result<std::optional<PartResults>> KeptStudies::find(const std::string& name) const {
   const auto content = find_text(name);
-  return content ? read_part_file(*content) : std::nullopt;
+  if (!content) return std::nullopt;
+  return read_part_file(*content, found_.at(name).string());
 }
 
 Result<void> KeptStudies::keep(const std::string& name, const PartResults& results) {

@@ -4,11 +4,17 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "somato/core/result.h"
 #include "somato/studies/reproduction.h"
 
 namespace somato::program {
+
+/// The bits of explorations, trainings and statistics, by the version that computed them first. The
+/// names of kept recordings and results contain it, so that those with other bits are not used. It
+/// changes when such bits change, and not with each version, so that days of computing are kept.
+inline constexpr std::string_view kVersionOfBits = "0.1.0";
 
 /// The results of a sweep's parts. Each part writes only to its own folder, so that several
 /// machines can work at the same time. A file's name is a checksum of everything that determines
@@ -27,8 +33,9 @@ class KeptStudies {
   /// Lists the results that all parts have saved so far.
   void look();
 
-  /// The result of that name; nothing if it is missing, truncated or damaged.
-  std::optional<PartResults> find(const std::string& name) const;
+  /// The result of that name; nothing if it is missing, truncated or damaged. Errors: kData if
+  /// another version of Somato wrote it in another format.
+  Result<std::optional<PartResults>> find(const std::string& name) const;
 
   /// Errors: kSystem.
   Result<void> keep(const std::string& name, const PartResults& results);

@@ -19,7 +19,6 @@
 #include "somato/simulation/simulated_explorer.h"
 #include "studies/inference/inference_results.h"
 #include "terminal/terminal.h"
-#include "version.h"
 
 namespace somato::program {
 namespace {
@@ -228,7 +227,7 @@ Result<std::string> MatchRun::name_at(const SweepPoint& point, Seeds seeds) cons
                 "{} played on {} {}", seeds.own, seeds.movements,
                 to_text(*table_at(request_.sweep, movements_at(request_.sweep.sweep, point))))
           : fmt::format("{}", seeds.own);
-  return checksum_name(fmt::format("match {}\n{}\n{}\n{}\n{}\n{}", SOMATO_VERSION, physics_engine(),
+  return checksum_name(fmt::format("match {}\n{}\n{}\n{}\n{}\n{}", kVersionOfBits, physics_engine(),
                                    to_text(table), objects, seeds_text,
                                    compared_text(touch_.compared)));
 }

@@ -10,12 +10,12 @@
 #include "base/files/whole_file.h"
 #include "recordings/explorations/content_hash.h"
 #include "recordings/study_data.h"
+#include "reproduce/kept_studies.h"
 #include "somato/bodies/exploring.h"
 #include "somato/recording/recording_file.h"
 #include "somato/simulation/simulated_explorer.h"
 #include "terminal/folder_lock.h"
 #include "terminal/terminal.h"
-#include "version.h"
 
 namespace somato::program {
 namespace {
@@ -40,10 +40,11 @@ Result<void> explore_into(const std::string& path, const SimulatedExplorer& expl
   return file.finish();
 }
 
-// The name depends on the objects, the engine and the version, so that other explorations do not
-// use these recordings. Errors: kSystem.
+// The name depends on the objects, the engine and the bits that it gives, so that other
+// explorations do not use these recordings. Errors: kSystem.
 Result<std::string> file_name(const ExploreTable& table, bool new_objects, std::uint64_t seed) {
-  std::string what = to_text(table) + physics_engine() + SOMATO_VERSION;
+  std::string what = to_text(table) + physics_engine();
+  what += kVersionOfBits;
   if (table.explore.objects.ends_with(".toml")) {
     SOMATO_TRY(const auto objects, read_whole(table.explore.objects));
     what += objects;

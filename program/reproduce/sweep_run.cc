@@ -12,7 +12,6 @@
 #include "flags/output_folder.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
-#include "version.h"
 
 namespace somato::program {
 
@@ -59,8 +58,9 @@ Result<SweepResults> SweepRun::results() {
 }
 
 Result<std::string> SweepRun::name_of(const ReproductionPart& part) {
-  return runner_.identity(part).map(
-      [](const std::string& text) { return checksum_name(SOMATO_VERSION + ("\n" + text)); });
+  return runner_.identity(part).map([](const std::string& text) {
+    return checksum_name(fmt::format("{}\n{}", kVersionOfBits, text));
+  });
 }
 
 Result<void> SweepRun::use_point(std::size_t number) {
@@ -123,7 +123,7 @@ Result<std::optional<std::vector<PartResults>>> SweepRun::found_at(std::size_t n
   std::optional<std::vector<PartResults>> parts{std::in_place};
   for (const ReproductionPart& part : plan.parts) {
     SOMATO_TRY(const auto name, name_of(part));
-    auto found = kept_.find(name);
+    SOMATO_TRY(auto found, kept_.find(name));
     if (!found) return std::optional<std::vector<PartResults>>{};
     parts->push_back(std::move(*found));
   }
@@ -160,7 +160,8 @@ Result<void> SweepRun::remove_recordings(const std::vector<ReproductionPart>& pa
 Result<void> SweepRun::run_study_at(const SweepPoint& point, const ReproductionPart& part,
                                     const SweepProgress& progress) {
   SOMATO_TRY(const auto name, name_of(part));
-  if (kept_.find(name)) return {};
+  SOMATO_TRY(const auto known, kept_.find(name));
+  if (known) return {};
   std::vector<std::filesystem::path> journals;
   const PartEvents events{
       [&](std::size_t index, std::size_t count) { return progress.of_recording(index, count); },

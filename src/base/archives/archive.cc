@@ -11,6 +11,7 @@
 #include "base/archives/checksum.h"
 #include "base/archives/little_endian.h"
 #include "base/files/whole_file.h"
+#include "base/text/format_version.h"
 #include "base/text/text.h"
 #include "somato/core/check.h"
 
@@ -272,11 +273,7 @@ Result<void> check_whole(std::string_view bytes, std::string_view where) {
   }
   const auto version = little_endian<std::uint32_t>(bytes.data() + 12);
   if (version > kVersion) {
-    return refuse_file(
-        where,
-        fmt::format("written by a newer version of Somato (format {}, supported is {})", version,
-                    kVersion),
-        "update Somato");
+    return unsupported_format(version, kVersion, std::string(where), again);
   }
   if (version != kVersion) {
     return refuse_file(where, fmt::format("format {} does not exist", version), again);
@@ -314,10 +311,14 @@ const Archive::Content* Archive::find(std::string_view name) const {
 }
 
 Error Archive::not_there(std::string_view name, std::string_view where, bool other_type) {
-  return {ErrorKind::kData,
-          other_type ? fmt::format("the entry '{}' is of another type", name)
-                     : fmt::format("the entry '{}' is missing", name),
-          std::string(where), "check that it is the right file"};
+  return {
+      ErrorKind::kData,
+      other_type ? fmt::format("the entry '{}' is of another type", name)
+                 : fmt::format("the entry '{}' is missing", name),
+      std::string(where),
+      fmt::format("check that it is the right file; one that another version of Somato wrote in "
+                  "format {} has to be trained again",
+                  kVersion)};
 }
 
 bool is_archive(std::string_view bytes) {

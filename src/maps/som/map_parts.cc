@@ -5,14 +5,23 @@
 
 namespace somato {
 
+namespace {
+
+// All files whose content is wrong have the only format that there is so far.
+constexpr const char* kAdvice =
+    "the file is damaged, or another version of Somato wrote it in format 1: train it again, or "
+    "use "
+    "that version";
+
+}  // namespace
+
 tl::unexpected<Error> damaged_model(std::string what, const std::string& where) {
-  return fail(ErrorKind::kData, std::move(what), where, "the file is damaged; save it again");
+  return fail(ErrorKind::kData, std::move(what), where, kAdvice);
 }
 
 tl::unexpected<Error> damaged_model(Error error, const std::string& where) {
-  error.kind = ErrorKind::kData;
   if (error.where.empty()) error.where = where;
-  return fail(std::move(error));
+  return fail(ErrorKind::kData, std::move(error.what), std::move(error.where), kAdvice);
 }
 
 void add_matrix(Archive& archive, std::string name, const Matrix<float>& matrix) {

@@ -76,10 +76,13 @@ Result<std::optional<TrainingCheckpoint>> load_checkpoint(const std::string& pat
   }
   SOMATO_TRY(const auto training, archive.get<std::string>("training", path));
   if (*training != identity) {
-    return fail(ErrorKind::kUsage,
-                "the checkpoint is that of a training with other parameters or data", path,
-                fmt::format("complete that training, use another checkpoint{}, or remove the file",
-                            flag_hint("checkpoint")));
+    return fail(
+        ErrorKind::kUsage,
+        "the checkpoint, of format 1, is that of a training with other parameters or data, or of "
+        "another version of Somato",
+        path,
+        fmt::format("complete that training, use another checkpoint{}, or remove the file",
+                    flag_hint("checkpoint")));
   }
   SOMATO_TRY(const auto epochs, archive.get<Array<std::int64_t>>("epochs", path));
   SOMATO_TRY(auto som, som_from(archive, kCheckpointPrefix, path));

@@ -83,7 +83,7 @@ Result<void> RecordingFile::finish() {
 }
 
 bool is_mcap(std::string_view bytes) {
-  return bytes.starts_with(kMcapMagic);
+  return mcap_version(bytes).has_value();
 }
 
 bool is_mcap_file(const std::string& path) {

@@ -13,8 +13,10 @@
 
 namespace somato {
 
-/// The profile in the header of a recording file.
+/// The profile in the header of a recording file. Later versions of the format will have a profile
+/// such as `somato 2`, so that this one refuses their files.
 inline constexpr std::string_view kRecordingProfile = "somato";
+inline constexpr std::uint64_t kRecordingVersion = 1;
 
 /// Bytes of the longest message or metadata record about an exploration.
 inline constexpr std::size_t kLongestExplorationText = std::size_t{256} << 10;

@@ -44,6 +44,11 @@ Result<McapReader> McapReader::open(FileSystem& files, const std::string& path) 
 Result<void> McapReader::begin() {
   SOMATO_TRY(const std::string_view magic, input_.view(0, kMcapMagic.size()));
   if (magic != kMcapMagic) {
+    if (const auto version = mcap_version(magic)) {
+      return fail(ErrorKind::kData,
+                  fmt::format("a file of version {} of MCAP; version 0 is supported", *version),
+                  path(), "update Somato");
+    }
     return fail(ErrorKind::kData, "not an MCAP file", path(), "check that it is the right file");
   }
   crc_.add(magic);

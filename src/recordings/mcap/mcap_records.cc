@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/archives/little_endian.h"
+#include "base/text/number_of_text.h"
 
 namespace somato {
 namespace {
@@ -217,6 +218,14 @@ std::string mcap_record(const McapFooter& footer) {
 
 std::string mcap_data_end(std::uint32_t data_crc) {
   return mcap_record(McapOpcode::kDataEnd, Fields().number(data_crc).bytes());
+}
+
+std::optional<std::uint64_t> mcap_version(std::string_view bytes) {
+  constexpr std::size_t kPlace = 5;
+  std::string magic(bytes.substr(0, kMcapMagic.size()));
+  if (magic.size() < kMcapMagic.size()) return {};
+  const char digit = std::exchange(magic[kPlace], kMcapMagic[kPlace]);
+  return magic == kMcapMagic ? number_of_text<std::uint64_t>({&digit, 1}) : std::nullopt;
 }
 
 std::optional<McapHeader> parse_mcap_header(std::string_view content) {

@@ -15,6 +15,9 @@ namespace somato {
 
 inline constexpr std::string_view kMcapMagic{"\x89MCAP0\r\n", 8};
 
+/// The version of MCAP of a file that begins with `bytes`; nothing if it is no MCAP file.
+std::optional<std::uint64_t> mcap_version(std::string_view bytes);
+
 /// Opcode and length precede the content of every record.
 inline constexpr std::size_t kMcapRecordHead = 9;
 

@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "base/archives/little_endian.h"
+#include "base/text/format_version.h"
+#include "base/text/number_of_text.h"
 
 namespace somato {
 namespace {
@@ -29,6 +31,15 @@ bool is_chunk_head(std::string_view bytes, std::size_t left) {
   const std::size_t head_size = head.size() - chunk->packed.size();
   const auto packed = little_endian<std::uint64_t>(&head[head_size - sizeof(std::uint64_t)]);
   return packed == length - (head_size - kMcapRecordHead);
+}
+
+// Another version of Somato may write recordings with a profile such as "somato 2".
+Result<void> check_version(std::string_view profile, const std::string& path) {
+  const std::string begin = std::string(kRecordingProfile) + " ";
+  if (!profile.starts_with(begin)) return {};
+  const auto version = number_of_text<std::uint64_t>(profile.substr(begin.size()));
+  if (!version || *version <= kRecordingVersion) return {};
+  return unsupported_format(*version, kRecordingVersion, path, {});
 }
 
 // Searches the records outside chunks one after the other.
@@ -72,7 +83,9 @@ class NoteSearch {
     SOMATO_TRY(const std::string_view content, input_->view(place, length));
     if (opcode == McapOpcode::kMetadata) return take(content).map([] { return true; });
     const auto header = parse_mcap_header(content);
-    return !header || header->profile == kRecordingProfile;
+    if (!header) return true;
+    SOMATO_TRY_VOID(check_version(header->profile, input_->path()));
+    return header->profile == kRecordingProfile;
   }
 
   Result<void> take(std::string_view content) {

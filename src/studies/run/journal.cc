@@ -15,6 +15,7 @@
 #include "base/archives/checksum.h"
 #include "base/files/whole_file.h"
 #include "base/text/flag_hint.h"
+#include "base/text/format_version.h"
 #include "studies/run/checked_line.h"
 #include "systems/graph/graph_json.h"
 
@@ -23,7 +24,7 @@ namespace {
 
 using SortedJson = nlohmann::json;
 
-constexpr int kJournalVersion = 8;
+constexpr std::uint64_t kJournalVersion = 8;
 
 tl::unexpected<Error> system_error(const std::string& path, const std::string& what) {
   return fail(ErrorKind::kSystem, what + ": " + std::strerror(errno), path,
@@ -114,6 +115,21 @@ class Lines {
   std::string_view left_;
 };
 
+// The version in the first line of a journal, which had no checksum in the first version; 0 if it
+// is not that of a journal.
+std::uint64_t version_of(std::string_view header) {
+  auto content = checked_content(header);
+  if (!content) content = SortedJson::parse(header, nullptr, false);
+  const auto version = content->is_object() ? content->find("somato_journal") : content->end();
+  return version != content->end() && version->is_number_unsigned() ? version->get<std::uint64_t>()
+                                                                    : 0;
+}
+
+std::string how_to_continue(const std::string& study) {
+  return fmt::format("complete that study{}, use another folder{}, or remove the file", study,
+                     flag_hint("out"));
+}
+
 tl::unexpected<Error> damaged(const std::string& path) {
   return fail(ErrorKind::kData, "the file is damaged, or not a journal of a study", path,
               "remove it to restart the study");
@@ -126,9 +142,15 @@ Result<Journal> Journal::open(const std::string& path, const std::string& finger
   journal.path_ = path;
   journal.header_ = header_of(fingerprint);
   std::error_code code;
-  if (!std::filesystem::exists(path, code)) return journal;
-  SOMATO_TRY(const auto text, read_whole(path));
-  SOMATO_TRY_VOID(journal.read(text));
+  // The first version of the format had another name.
+  const auto first = std::filesystem::path(path).replace_extension(".jsonl").string();
+  for (const std::string& known : {path, first}) {
+    if (!std::filesystem::exists(known, code)) continue;
+    journal.path_ = known;
+    SOMATO_TRY(const auto text, read_whole(known));
+    SOMATO_TRY_VOID(journal.read(text));
+  }
+  journal.path_ = path;
   return journal;
 }
 
@@ -142,12 +164,15 @@ Result<void> Journal::read(const std::string& text) {
   const auto header = lines.next();
   if (!header) return header_.starts_with(text) ? Result<void>() : damaged(path_);
   if (std::string(*header) + "\n" != header_) {
-    const auto content = checked_content(*header);
-    if (!content || !content->contains("somato_journal")) return damaged(path_);
+    const std::uint64_t version = version_of(*header);
+    if (version == 0) return damaged(path_);
+    if (version != kJournalVersion) {
+      return unsupported_format(version, kJournalVersion, path_,
+                                how_to_continue(" with that version"));
+    }
     return fail(ErrorKind::kUsage,
                 "the folder contains an interrupted study with other settings or data", path_,
-                fmt::format("complete that study, use another folder{}, or remove the file",
-                            flag_hint("out")));
+                how_to_continue(""));
   }
   whole_ = read_trainings(text);
   return {};

@@ -1,9 +1,13 @@
 #include "studies/run/part_file.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "base/text/flag_hint.h"
+#include "base/text/format_version.h"
 #include "studies/results/results_json.h"
 #include "studies/run/checked_line.h"
 
@@ -12,7 +16,7 @@ namespace {
 
 using PartJson = nlohmann::json;
 
-constexpr int kPartVersion = 5;
+constexpr std::uint64_t kPartVersion = 5;
 
 PartJson protocol_json(const ProtocolResults& protocol) {
   PartJson metrics = PartJson::array();
@@ -87,11 +91,21 @@ std::string part_file(const PartResults& part) {
                        {"protocols", protocols}});
 }
 
-std::optional<PartResults> read_part_file(std::string_view content) {
-  if (!content.ends_with('\n')) return {};
+Result<std::optional<PartResults>> read_part_file(std::string_view content,
+                                                  const std::string& where) {
+  if (!content.ends_with('\n')) return std::nullopt;
   content.remove_suffix(1);
   const auto kept = checked_content(content);
-  if (!kept || kept->value("somato_part", 0) != kPartVersion) return {};
+  if (!kept || !kept->is_object()) return std::nullopt;
+  const auto version = kept->find("somato_part");
+  if (version == kept->end() || !version->is_number_unsigned()) return std::nullopt;
+  if (*version != kPartVersion) {
+    return unsupported_format(
+        version->get<std::uint64_t>(), kPartVersion, where,
+        fmt::format(
+            "complete the sweep with that version, use another folder{}, or remove the file",
+            flag_hint("out")));
+  }
   PartResults part;
   kept->at("question").get_to(part.question);
   kept->at("system").get_to(part.system);

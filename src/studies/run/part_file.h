@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "somato/core/result.h"
 #include "somato/studies/reproduction.h"
 
 namespace somato {
@@ -13,7 +14,9 @@ namespace somato {
 /// their names.
 std::string part_file(const PartResults& part);
 
-/// The content of such a file; nothing if it is truncated or damaged.
-std::optional<PartResults> read_part_file(std::string_view content);
+/// The content of such a file, named `where`; nothing if it is truncated or damaged. Errors: kData
+/// if another version of Somato wrote it in another format.
+Result<std::optional<PartResults>> read_part_file(std::string_view content,
+                                                  const std::string& where);
 
 }  // namespace somato

@@ -13,6 +13,8 @@
 #include "base/archives/zip_reader.h"
 #include "base/arrays/npy_texts.h"
 #include "base/arrays/npz_arrays.h"
+#include "base/text/format_version.h"
+#include "base/text/number_of_text.h"
 #include "maps/som/map_parts.h"
 #include "maps/som/som_archive.h"
 #include "systems/exchange/map_array.h"
@@ -28,18 +30,19 @@ const std::set<std::string> kKnownArrays{
     "elements",    "feature_names", "mean",         "scale",     "labels",
     "class_names", "fill_values",   "samples_seen", "layers",    "relevances"};
 
-// The version of the archive. Errors (kData): none, or a newer one.
+// The first version is 1. Errors (kData): no version, or a newer one.
 Result<void> check_version(const NpzArrays& arrays, const std::string& where) {
   SOMATO_TRY(const std::string npy, arrays.read("file_format"));
   SOMATO_TRY(const auto texts, texts_in_npy(npy, arrays.place_of("file_format")));
   const std::string& text = texts.front();
   if (texts.size() == 1 && text == kMapNpzFormat + std::to_string(kMapNpzVersion)) return {};
-  const bool is_ours = text.starts_with(kMapNpzFormat) && text.size() > kMapNpzFormat.size();
-  if (!is_ours) return damaged_model("'file_format' is not that of a map", where);
-  return fail(ErrorKind::kData,
-              fmt::format("the map was exported by a newer version ({})",
-                          text.substr(kMapNpzFormat.size())),
-              where, "use that version of Somato");
+  const bool is_ours = texts.size() == 1 && text.starts_with(kMapNpzFormat);
+  const auto version =
+      is_ours ? number_of_text<std::uint64_t>(text.substr(kMapNpzFormat.size())) : std::nullopt;
+  if (!version || *version == 0) {
+    return damaged_model("'file_format' is not that of a map", where);
+  }
+  return unsupported_format(*version, kMapNpzVersion, where, {});
 }
 
 Result<void> check_known(const NpzArrays& arrays, const std::string& where) {

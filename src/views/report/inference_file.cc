@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/text/format_version.h"
 #include "somato/studies/claim.h"
 #include "views/report/checked_json.h"
 
@@ -184,22 +185,22 @@ Json inference_of(const CheckedJson& root, const std::string& path) {
   return inference;
 }
 
-void check_inference_version(const CheckedJson& root) {
-  const CheckedJson version = root.at("version");
-  if (version.whole(kMost) != kInferenceFileVersion) version.refuse("is not 1");
-}
-
 }  // namespace
 
 Result<Json> parse_inference(std::string_view text, const std::string& path) {
   SOMATO_TRY(const auto json, parse_results_json(text, path));
   std::optional<Error> trouble;
   const CheckedJson root(json, trouble);
-  check_inference_version(root);
+  const std::string advice =
+      "run 'somato sweep --targets' of this version again, which keeps its draws";
+  const std::uint64_t version = root.at("version").whole(kMost);
+  if (!trouble && version != kInferenceFileVersion) {
+    return unsupported_format(version, kInferenceFileVersion, path, advice);
+  }
   Json inference = trouble ? Json() : inference_of(root, path);
   if (!trouble) return inference;
   trouble->where = path;
-  trouble->advice = "run 'somato sweep --targets' of this version again, which keeps its draws";
+  trouble->advice = advice;
   return fail(std::move(*trouble));
 }
 

@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "base/text/format_version.h"
 #include "views/report/checked_json.h"
 
 namespace somato {
@@ -346,13 +347,6 @@ ClaimOutcome outcome_of(const CheckedJson& json) {
   return outcome;
 }
 
-// Earlier versions had no parts.
-void check_version(const CheckedJson& root) {
-  const std::uint64_t version = root.at("version").whole(kAny);
-  if (!root.ok() || version == kResultsVersion) return;
-  root.at("version").refuse(fmt::format("is {}, but must be {}", version, kResultsVersion));
-}
-
 Results results_of(const CheckedJson& root) {
   std::vector<RecordingInfo> recordings;
   root.at("recordings").each([&](const CheckedJson& one) {
@@ -375,16 +369,21 @@ Result<Results> parse_results(std::string_view text, const std::string& path) {
   SOMATO_TRY(const auto json, detail::parse_results_json(text, path));
   std::optional<Error> trouble;
   const CheckedJson root(json, trouble);
+  // Earlier versions had systems in the place of parts.
   if (!root.has("version") || !(root.has("parts") || root.has("systems"))) {
     return fail(ErrorKind::kData, "not a results.json of a study or a reproduction", path,
                 "use a file written by 'somato run' or 'somato reproduce'");
   }
-  check_version(root);
+  const std::string advice =
+      "run 'somato run' or 'somato reproduce' of this version again to write a new results.json";
+  const std::uint64_t version = root.at("version").whole(kAny);
+  if (!trouble && version != kResultsVersion) {
+    return unsupported_format(version, kResultsVersion, path, advice);
+  }
   Results results = trouble ? Results{} : results_of(root);
   if (!trouble) return results;
   trouble->where = path;
-  trouble->advice =
-      "run 'somato run' or 'somato reproduce' of this version again to write a new results.json";
+  trouble->advice = advice;
   return fail(std::move(*trouble));
 }
 

@@ -95,7 +95,8 @@ TEST(Archive, FindsEntriesByNameAndType) {
   EXPECT_EQ(archive.find("weight"), nullptr);
   const auto missing = archive.get<std::string>("weight", "f");
   EXPECT_EQ(to_string(missing.error()),
-            "f: the entry 'weight' is missing; check that it is the right file");
+            "f: the entry 'weight' is missing; check that it is the right file; one that another "
+            "version of Somato wrote in format 1 has to be trained again");
   const auto other = archive.get<Array<double>>("weights", "f");
   EXPECT_NE(other.error().what.find("another type"), std::string::npos);
 }

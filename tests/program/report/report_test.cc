@@ -191,7 +191,8 @@ TEST_F(Report, RefusesWhatCannotBe) {
   expect_refused(1, {"report", "nan.json", "-o", "x"}, {"nan.json", "not valid JSON"});
   expect_refused(1, {"report", "foreign.json", "-o", "x"}, {"foreign.json", "not a results.json"});
   expect_refused(1, {"report", "old.json", "-o", "x"},
-                 {"old.json: 'version' is 3, but must be 4", "of this version again"});
+                 {"old.json: written by an earlier version of Somato (format 3, supported is 4)",
+                  "of this version again"});
   expect_refused(1, {"report", "out/map.svg", "-o", "x"}, {"out/map.svg", "not valid JSON"});
   expect_refused(2, {"report", "out/results.json", "./out/results.json", "-o", "x"}, {"twice"});
   expect_refused(2, {"report", "out/results.json", "-o", "out/results.json"}, {"overwrite"});

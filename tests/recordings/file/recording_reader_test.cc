@@ -236,6 +236,26 @@ TEST(RecordingReader, RefusesWhatIsNoFile) {
   EXPECT_EQ(read_recording(folder.path()).error().kind, ErrorKind::kSystem);
   EXPECT_EQ(read_recording("/dev/zero").error().kind, ErrorKind::kUsage);
   EXPECT_EQ(read_recording(folder.with("a", "")).error().what, "not an MCAP file");
+  EXPECT_EQ(read_recording(folder.with("b", "\x89MCAPx\r\n")).error().what, "not an MCAP file");
+}
+
+TEST(RecordingReader, RefusesNewerVersionsOfMcapAndOfRecordings) {
+  const TemporaryFolder folder;
+  const std::string advice = "; update Somato";
+  const std::string mcap = folder.with("mcap", "\x89MCAP1\r\n");
+  EXPECT_EQ(to_string(read_recording(mcap).error()),
+            mcap + ": a file of version 1 of MCAP; version 0 is supported" + advice);
+  const auto header = [](const std::string& profile) {
+    return std::string(kMcapMagic) + mcap_record(McapHeader{profile, "somato"});
+  };
+  const std::string newer = folder.with("newer", header("somato 2"));
+  EXPECT_EQ(to_string(read_recording(newer).error()),
+            newer + ": written by a newer version of Somato (format 2, supported is 1)" + advice);
+  for (const char* other : {"somatotopy 2", "somato two", "somato 1"}) {
+    const auto read = read_recording(folder.with("other", header(other)));
+    EXPECT_FALSE(read);
+    EXPECT_EQ(read.error().what.find("newer version"), std::string::npos) << other;
+  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "base/support/sanitized.h"
 #include "base/support/temporary_folder.h"
+#include "studies/run/checked_line.h"
 
 namespace somato {
 namespace {
@@ -178,9 +179,23 @@ TEST_F(JournalFile, OfAnotherStudyIsRefused) {
   EXPECT_TRUE(bytes_of(path()) == bytes);
 }
 
+// The first version had no checksums.
+TEST_F(JournalFile, OfAnotherFormatIsRefusedWithItsVersion) {
+  const std::string advice = "complete that study with that version";
+  expect_refused("{\"somato_journal\":1,\"study\":\"a\"}\n", ErrorKind::kData, advice);
+  expect_refused(checked_line({{"somato_journal", 7}, {"study", kStudy}}), ErrorKind::kData,
+                 advice);
+  write(checked_line({{"somato_journal", 9}, {"study", kStudy}}));
+  EXPECT_EQ(to_string(Journal::open(path(), kStudy).error()),
+            path() +
+                ": written by a newer version of Somato (format 9, supported is 8); "
+                "update Somato");
+}
+
 TEST_F(JournalFile, RefusesWhatIsNoJournal) {
   const std::string advice = "remove it to restart the study";
-  for (const std::string other : {"notes", "notes\nof mine\n", "{}\n", "00000000 \n", "\n"}) {
+  for (const std::string other : {"notes", "notes\nof mine\n", "{}\n", "00000000 \n", "\n",
+                                  "{\"somato_journal\":\"8\"}\n", "[8]\n"}) {
     expect_refused(other, ErrorKind::kData, advice);
   }
   std::filesystem::remove(path());

@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "studies/run/checked_line.h"
 
 namespace somato {
 namespace {
@@ -24,8 +27,9 @@ PartResults part() {
 }
 
 TEST(PartFile, GivesBackWhatWasKept) {
-  const auto read = read_part_file(part_file(part()));
-  ASSERT_TRUE(read);
+  const auto found = read_part_file(part_file(part()), "a.found");
+  ASSERT_TRUE(found && *found);
+  const std::optional<PartResults>& read = *found;
   EXPECT_EQ(read->question, "a question");
   EXPECT_EQ(read->system, "press");
   EXPECT_EQ(read->variation, "small");
@@ -51,14 +55,30 @@ TEST(PartFile, GivesBackWhatWasKept) {
 TEST(PartFile, DamageLeavesNothing) {
   const std::string whole = part_file(part());
   for (std::size_t length = 0; length < whole.size(); ++length) {
-    EXPECT_FALSE(read_part_file(whole.substr(0, length))) << length;
+    EXPECT_EQ(read_part_file(whole.substr(0, length), "").value(), std::nullopt) << length;
   }
   for (std::size_t i = 0; i < whole.size(); i += 7) {
     std::string damaged = whole;
     damaged[i] = damaged[i] == '1' ? '2' : '1';
-    EXPECT_FALSE(read_part_file(damaged)) << i;
+    EXPECT_EQ(read_part_file(damaged, "").value(), std::nullopt) << i;
   }
-  EXPECT_FALSE(read_part_file("\n"));
+  EXPECT_EQ(read_part_file("\n", "").value(), std::nullopt);
+}
+
+TEST(PartFile, OfAnotherFormatIsRefusedWithItsVersion) {
+  const auto refusal = [](int version) {
+    const auto read = read_part_file(checked_line({{"somato_part", version}}), "a.found");
+    return read ? "" : to_string(read.error());
+  };
+  EXPECT_TRUE(refusal(4).starts_with(
+      "a.found: written by an earlier version of Somato (format 4, supported is 5); "
+      "complete the sweep with that version"))
+      << refusal(4);
+  EXPECT_EQ(refusal(6),
+            "a.found: written by a newer version of Somato (format 6, supported is 5); "
+            "update Somato");
+  EXPECT_EQ(read_part_file(checked_line({{"somato_part", "5"}}), "").value(), std::nullopt);
+  EXPECT_EQ(read_part_file(checked_line({5}), "").value(), std::nullopt);
 }
 
 }  // namespace

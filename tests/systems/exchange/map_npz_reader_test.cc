@@ -94,7 +94,9 @@ std::string parameters_with(const std::string& key, const std::string& value) {
 
 TEST(MapNpzReader, SaysWhatIsWrongWithEachArray) {
   expect_array_refused("file_format", "", "'file_format' is missing");
-  expect_array_refused("file_format", npy_of_texts({"somato map 2"}, {}), "newer version");
+  expect_array_refused("file_format", npy_of_texts({"somato map 2"}, {}),
+                       "newer version of Somato (format 2, supported is 1)");
+  expect_array_refused("file_format", npy_of_texts({"somato map 0"}, {}), "file_format");
   expect_array_refused("file_format", npy_of_texts({"other"}, {}), "file_format");
   expect_array_refused("file_format", npy<float>({1}, {1}), "not a list of texts");
   expect_array_refused("weights", "", "'weights' is missing");

@@ -198,18 +198,41 @@ void expect_model_refused(const Archive& archive, const std::string& because) {
   EXPECT_NE(model.error().what.find(because), std::string::npos) << to_string(model.error());
 }
 
-// In the place of the part, so that only the content differs.
-void expect_model_part_refused(const std::string& name, Archive::Content content,
-                               const std::string& because) {
-  const Archive& archive = an_archive();
-  Archive changed(archive.kind());
+// The archive with another content of a part.
+Archive with_content(const std::string& name, const Archive::Content& content) {
+  Archive changed(an_archive().kind());
   bool there = false;
-  for (const Archive::Entry& entry : archive.entries()) {
+  for (const Archive::Entry& entry : an_archive().entries()) {
     changed.add(entry.name, entry.name == name ? content : entry.content);
     there = there || entry.name == name;
   }
-  ASSERT_TRUE(there) << name;
-  expect_model_refused(changed, because);
+  EXPECT_TRUE(there) << name;
+  return changed;
+}
+
+// In the place of the part, so that only the content differs.
+void expect_model_part_refused(const std::string& name, const Archive::Content& content,
+                               const std::string& because) {
+  expect_model_refused(with_content(name, content), because);
+}
+
+// Files of versions before `tolerance` was added are read; what is written again has it.
+TEST(SystemModel, ReadsParametersWithoutThoseThatWereAddedLater) {
+  const std::string name = "module.map.parameters";
+  const std::string whole = **an_archive().get<std::string>(name, "");
+  const std::string line = "tolerance = 0.0\n";
+  ASSERT_NE(whole.find(line), std::string::npos);
+  std::string earlier = whole;
+  earlier.erase(earlier.find(line), line.size());
+  const TemporaryFolder folder;
+  const std::string path = folder.file("earlier.somato");
+  ASSERT_TRUE(save_archive(path, with_content(name, earlier)));
+  const auto model = load_system(path);
+  ASSERT_TRUE(model) << to_string(model.error());
+  ASSERT_TRUE(save_system(path, *model));
+  EXPECT_TRUE(load_archive(path).value() == an_archive());
+  expect_model_part_refused(name, earlier + line, "do not fit together");
+  expect_model_part_refused(name, whole + "\n\n", "do not fit together");
 }
 
 TEST(SystemModel, RefusesAnotherKindOfFile) {

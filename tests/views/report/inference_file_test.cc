@@ -117,7 +117,8 @@ TEST(InferenceFile, WrongValuesAreNamed) {
   EXPECT_EQ(refusal_of(json), "'unknowns[0].cells' has no part of the range in i.json");
   json = inference_text();
   json["version"] = 2;
-  EXPECT_EQ(refusal_of(json), "'version' is not 1 in i.json");
+  EXPECT_EQ(refusal_of(json),
+            "written by a newer version of Somato (format 2, supported is 1) in i.json");
   EXPECT_FALSE(detail::parse_inference("{", "i.json"));
   EXPECT_FALSE(detail::parse_inference("[]", "i.json"));
   EXPECT_FALSE(detail::parse_inference("null", "i.json"));

@@ -174,7 +174,7 @@ TEST(ResultsFile, OfAnEarlierVersionIsRefusedWithAdvice) {
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().kind, ErrorKind::kData);
     EXPECT_EQ(read.error().where, "old/results.json");
-    EXPECT_NE(read.error().what.find("but must be 4"), std::string::npos);
+    EXPECT_NE(read.error().what.find("supported is 4"), std::string::npos);
     EXPECT_NE(read.error().advice.find("of this version again"), std::string::npos);
   }
 }
@@ -273,7 +273,8 @@ const std::string kProtocol = "'parts[0].protocols[0].";
 INSTANTIATE_TEST_SUITE_P(
     By, DamagedResults,
     ::testing::Values(
-        Damage{"version", [](Json& j) { j["version"] = 5; }, "'version' is 5, but must be 4"},
+        Damage{"version", [](Json& j) { j["version"] = 5; },
+               "written by a newer version of Somato (format 5, supported is 4)"},
         Damage{"version_text", [](Json& j) { j["version"] = "3"; }, "'version' is string"},
         Damage{"no_version", [](Json& j) { j.erase("version"); }, "not a results.json"},
         Damage{"no_parts", [](Json& j) { j.erase("parts"); }, "not a results.json"},
