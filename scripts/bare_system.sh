@@ -1,6 +1,7 @@
 # Fresh systems of Debian, for scripts that source this file: other_systems.sh and release.sh. $architecture is that
 # of the systems; $cache, if not empty, the folder that keeps the results of compilers.
 # shellcheck shell=bash
+# shellcheck disable=SC2034,SC2154
 declare -rA codenames=([12]=bookworm [13]=trixie)
 
 # inside ROOT COMMAND...: runs a command in a system, with /proc, /sys and /dev, in name spaces that end with it: no mount
