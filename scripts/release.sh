@@ -35,7 +35,7 @@ require_releases "${releases[@]}"
 scripts/setup.sh package
 require_systems
 mkdir -p "$out"
-work=$(mktemp -d /var/tmp/somato-release.XXXXXX)
+work=$(mktemp -d /var/checked/somato-release.XXXXXX)
 trap 'rm -rf --one-file-system "$work"' EXIT
 
 failures=0
@@ -83,6 +83,7 @@ apt_install() {
 install_program() {
   bare_system "${codenames[$2]}" "$1" &&
     cp -r "$3" "$1/packages" &&
+    mkdir "$1/checked" &&
     inside "$1" apt-get update -q &&
     apt_install "$1" "$(cd "$3" && echo ./packages/somato_*.deb)" &&
     inside "$1" bash -c '! command -v cc c++ gcc g++ clang cmake' &&
@@ -101,7 +102,7 @@ follow_readme() {
       python=(--python /venv/bin/python)
     fi &&
     inside "$root" bash -c '! command -v cc c++ gcc g++ clang cmake' &&
-    inside "$root" python3 /somato/scripts/run_doc_blocks.py --source /somato --scratch /tmp/readme \
+    inside "$root" python3 /somato/scripts/run_doc_blocks.py --source /somato --scratch /checked/readme \
       --program /usr/bin/somato "${python[@]}" --only README.md
 }
 
@@ -121,16 +122,16 @@ build_with_library() {
   for library in somato shared; do
     # shellcheck disable=SC2016
     inside "$root" bash -ec '
-      cmake -S /somato/tests/install/maps -B "/tmp/maps-$1" -DSOMATO_LIBRARY="$1"
-      cmake --build "/tmp/maps-$1"
-      cd /tmp && "/tmp/maps-$1/user"' build "$library" || return 1
+      cmake -S /somato/tests/install/maps -B "/checked/maps-$1" -DSOMATO_LIBRARY="$1"
+      cmake --build "/checked/maps-$1"
+      cd /checked && "/checked/maps-$1/user"' build "$library" || return 1
   done
   inside "$root" bash -ec '
-    somato run icub_joints --data /somato/examples/synthetic_grasps --seeds 1 --out /tmp/icub
-    cmake -S /somato/examples/c -B /tmp/c -DSOMATO_LIBRARY=shared && cmake --build /tmp/c
-    printf "1 2 3 4 5 6 7 8 9\n" | /tmp/c/user /tmp/icub/system.somato
-    ldd /tmp/c/user | grep libsomato.so.1
-    cmake -S /somato/tests/install/simulation -B /tmp/simulation && cmake --build /tmp/simulation && /tmp/simulation/user'
+    somato run icub_joints --data /somato/examples/synthetic_grasps --seeds 1 --out /checked/icub
+    cmake -S /somato/examples/c -B /checked/c -DSOMATO_LIBRARY=shared && cmake --build /checked/c
+    printf "1 2 3 4 5 6 7 8 9\n" | /checked/c/user /checked/icub/system.somato
+    ldd /checked/c/user | grep libsomato.so.1
+    cmake -S /somato/tests/install/simulation -B /checked/simulation && cmake --build /checked/simulation && /checked/simulation/user'
 }
 
 # row FILE NEEDS CHECKS...: one of the table.

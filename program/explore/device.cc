@@ -62,8 +62,8 @@ Result<ObjectTable> things_of(const Arguments& arguments, const DeviceFile& file
               "--objects", "give a table of the objects that it explores (docs/objects.md)");
 }
 
-// What touches the sensors of a device that nobody attends. Servos only move after a person has let
-// them.
+// One thing without a name: the device does not know what touches it. Servos only move after a
+// person has permitted it.
 Result<std::vector<ExploredThing>> unattended_things(const DeviceFile& file) {
   if (file.servos.empty()) return std::vector<ExploredThing>{{"unknown", {}, {}}};
   return fail(ErrorKind::kUsage,
@@ -136,7 +136,7 @@ Result<void> check_unattended(const Arguments& arguments) {
   }
   for (const std::string flag : {"objects", "object"}) {
     if (!arguments.has(flag)) continue;
-    return fail(ErrorKind::kUsage, "nobody places the things that are named", "--" + flag,
+    return fail(ErrorKind::kUsage, "no person is there to place things", "--" + flag,
                 "omit it, or --unattended");
   }
   return {};

@@ -50,7 +50,7 @@ enum class PermittedBy { kTerminal, kPage };
 /// An explorer of the device `file` at `path`, for the objects or materials of --objects, or of the
 /// body that it stands for; the parameters of --settings. Nothing moves before it explores. A
 /// person is requested to place each thing, unless an emulator does. With --unattended, one thing
-/// without a name is there already, and nobody is waited for. `output` names the file
+/// without a name is there already, and no person is waited for. `output` names the file
 /// beside which the last states of a stopped device are saved. Errors (kUsage): no table of
 /// objects; things without the shape that a hand requires; servos that would move unattended.
 Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,

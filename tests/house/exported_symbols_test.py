@@ -2,7 +2,7 @@
 
 import unittest
 
-import support  # noqa: F401 (the path of the scripts)
+from support import TREE
 
 import exported_symbols
 
@@ -52,6 +52,12 @@ NAMES = {"somato::Point", "somato::Table", "somato::Kind", "somato::kMost", "som
 class ExportedSymbols(unittest.TestCase):
     def test_the_names_of_a_header_are_those_of_its_types_functions_and_variables(self):
         self.assertEqual(exported_symbols.declared_names(HEADER), NAMES)
+
+    def test_the_interface_of_c_is_its_functions(self):
+        text = (TREE / "include/somato/c/c_system.h").read_text(encoding="utf-8")
+        names = exported_symbols.declared_names(text)
+        self.assertIn("somato_load", names)
+        self.assertTrue(all(name.startswith("somato_") and f"{name}(" in text for name in names), names)
 
     def test_symbols_of_declared_names_are_exported(self):
         for symbol in ["somato::Point::hidden()", "somato::read(std::string const&, char)",

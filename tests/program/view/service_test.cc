@@ -1,11 +1,15 @@
 // 'somato live' as a service: what it says to a service manager, which these tests stand for.
 
+#include <fcntl.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <mutex>
@@ -54,10 +58,12 @@ class Manager {
     return messages_;
   }
 
-  bool has(const std::string& message) const {
+  std::ptrdiff_t count(const std::string& message) const {
     const auto all = messages();
-    return std::find(all.begin(), all.end(), message) != all.end();
+    return std::count(all.begin(), all.end(), message);
   }
+
+  bool has(const std::string& message) const { return count(message) > 0; }
 
  private:
   void read(const std::stop_token& stop) {
@@ -97,14 +103,19 @@ class Service : public EmulationTest {
     output_of({"run", "study.toml", "--data", kTrials, "--out", "out"});
   }
 
-  // A session that replays, slowly, until it is ended by a signal once `holds`.
-  ProgramRun serve(const std::string& address, const std::string& microseconds,
-                   const std::function<bool()>& holds) const {
+  static ProgramWorld watched(const std::string& address, const std::string& microseconds) {
     ProgramWorld world;
     world.environment = {{"NOTIFY_SOCKET", address}, {"WATCHDOG_USEC", microseconds}};
     world.terminal = true;
     world.interrupt_at = "Press Ctrl-C to end.";
     world.interrupt_with = SIGTERM;
+    return world;
+  }
+
+  // A session that replays, slowly, until it is ended by a signal once `holds`.
+  ProgramRun serve(const std::string& address, const std::string& microseconds,
+                   const std::function<bool()>& holds) const {
+    ProgramWorld world = watched(address, microseconds);
     world.before_interrupt = [&](const std::string& /*said*/) {
       EXPECT_TRUE(testing::eventually(holds));
     };
@@ -116,10 +127,7 @@ class Service : public EmulationTest {
 TEST_F(Service, SaysThatItIsReadyThenThatItRespondsThenThatItEnds) {
   learn();
   const Manager manager(path("notify"));
-  const auto responded = [&] {
-    const auto all = manager.messages();
-    return std::count(all.begin(), all.end(), "WATCHDOG=1") >= 3;
-  };
+  const auto responded = [&] { return manager.count("WATCHDOG=1") >= 3; };
   EXPECT_EQ(serve(path("notify"), "400000", responded).exit_code, 128 + SIGTERM);
   ASSERT_TRUE(testing::eventually([&] { return manager.has("STOPPING=1"); }));
   const auto all = manager.messages();
@@ -142,13 +150,25 @@ TEST_F(Service, AnAddressMayBeNoFileAndAManagerMayNotWatch) {
 TEST_F(Service, ASessionThatHangsDoesNotRespond) {
   learn();
   const Manager manager(path("notify"));
-  const std::string script = "NOTIFY_SOCKET=" + path("notify") + " WATCHDOG_USEC=200000 '" +
-                             program() + "' live --model out/system.somato --recording '" +
-                             kTrials + "' --speed max | { read -r line; sleep 1; }";
-  run_other({"bash", "-c", script});
-  const auto all = manager.messages();
-  // 20 times in this second if it did.
-  EXPECT_LE(std::count(all.begin(), all.end(), "WATCHDOG=1"), 4) << ::testing::PrintToString(all);
+  ASSERT_EQ(mkfifo(path("lines").c_str(), 0600), 0);
+  const int reader = open(path("lines").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(fcntl(reader, F_SETPIPE_SZ, 4096), 4096);  // 20 lines
+  ProgramWorld world = watched(path("notify"), "200000");
+  world.output_to = path("lines");
+  std::ptrdiff_t before = 0;
+  std::ptrdiff_t later = 0;
+  world.before_interrupt = [&](const std::string& /*said*/) {
+    int waiting = 0;
+    EXPECT_TRUE(testing::eventually(
+        [&] { return ioctl(reader, FIONREAD, &waiting) == 0 && waiting > 4096 - 200; }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    before = manager.count("WATCHDOG=1");
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    later = manager.count("WATCHDOG=1");
+  };
+  run({"live", "--model", "out/system.somato", "--recording", kTrials, "--speed", "max"}, world);
+  EXPECT_LE(later, before + 1);  // 12 times if it did
+  close(reader);
 }
 
 TEST_F(Service, WhatIsNoAddressIsRefused) {
@@ -167,11 +187,11 @@ TEST_F(Service, WhatIsNoAddressIsRefused) {
   refused("/" + std::string(200, 'x'), "", 2, {"NOTIFY_SOCKET"});
   refused(path("notify"), "soon", 2, {"WATCHDOG_USEC", "'soon' is not a number"});
   refused(path("notify"), "-5", 2, {"WATCHDOG_USEC"});
-  refused(path("nobody"), "", 1, {path("nobody"), "cannot be notified"});
+  refused(path("missing"), "", 1, {path("missing"), "cannot be notified"});
 }
 
 // A device of sensors explores without a person; servos do not move.
-TEST_F(Service, SensorsNeedNobodyAndServosDo) {
+TEST_F(Service, SensorsNeedNoPersonAndServosDo) {
   with_emulation({"--body", "hardness", "--bus", "ssc32"}, [&] {
     output_of({"explore", "--body", "hardness", "--explorations", "1", "-o", "train.mcap"});
     write("study.toml",
@@ -188,7 +208,7 @@ TEST_F(Service, SensorsNeedNobodyAndServosDo) {
     };
     refused({"--device", "d.toml"}, {"hardness", "has servos", "--unattended"});
     refused({"--body", "hardness"}, {"--unattended", "--device FILE"});
-    refused({"--device", "d.toml", "--object", "bark"}, {"--object", "nobody places"});
+    refused({"--device", "d.toml", "--object", "bark"}, {"--object", "no person"});
     write("skin.toml", without_servos(read("d.toml")));
     const std::string lines = output_of({"live", "--model", "out/system.somato", "--unattended",
                                          "--device", "skin.toml", "--explorations", "2"});

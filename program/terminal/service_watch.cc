@@ -1,4 +1,4 @@
-#include "view/service_watch.h"
+#include "terminal/service_watch.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ void ServiceWatch::ask(Clock::time_point now) {
   if (!post_([responded = responded_] { *responded = true; })) responded_.reset();
 }
 
-// What ends needs no manager; if it has gone, there is nothing to report.
+// A manager that has gone changes nothing about the end.
 void ServiceWatch::end() const {
   (void)manager_.notify("STOPPING=1");
 }
