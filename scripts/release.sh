@@ -60,7 +60,8 @@ make_packages() {
   local root=$work/build-$1
   rm -rf "$2"
   if is_here "$1"; then
-    SUFFIX=${cross:+$architecture} scripts/pack.sh "$2" ${cross:+"-DCMAKE_TOOLCHAIN_FILE=$cross"}
+    SUFFIX=${cross:+$architecture} DEB_HOST_ARCH=$architecture \
+      scripts/pack.sh "$2" ${cross:+"-DCMAKE_TOOLCHAIN_FILE=$cross"}
     return
   fi
   bare_system "${codenames[$1]}" "$root" git &&
@@ -110,7 +111,7 @@ follow_readme() {
 check_service() {
   apt_install "$1" systemd &&
     inside "$1" systemd-analyze verify somato-live@skin.service &&
-    inside "$1" systemd-analyze security --offline=yes --threshold=40 somato-live@skin.service &&
+    inside "$1" systemd-analyze security --offline=yes --threshold=25 somato-live@skin.service &&
     inside "$1" python3 /somato/scripts/run_service.py /usr/lib/systemd/system/somato-live@.service
 }
 
