@@ -86,7 +86,7 @@ install_program() {
     cp -r "$3" "$1/packages" &&
     mkdir "$1/checked" &&
     inside "$1" apt-get update -q &&
-    apt_install "$1" "$(cd "$3" && echo ./packages/somato_*.deb)" &&
+    apt_install "$1" "$(cd "$1" && echo ./packages/somato_*.deb)" &&
     inside "$1" bash -c '! command -v cc c++ gcc g++ clang cmake' &&
     inside "$1" somato --version
 }
@@ -110,7 +110,7 @@ follow_readme() {
 # The unit is complete, and the program says to its manager what it waits for.
 check_service() {
   apt_install "$1" systemd &&
-    inside "$1" systemd-analyze verify somato-live@skin.service &&
+    inside "$1" systemd-analyze verify --man=no somato-live@skin.service &&
     inside "$1" systemd-analyze security --offline=yes --threshold=25 somato-live@skin.service &&
     inside "$1" python3 /somato/scripts/run_service.py /usr/lib/systemd/system/somato-live@.service
 }
@@ -118,8 +118,8 @@ check_service() {
 # Programs in C and C++ with the packages of the library, linked with either library.
 build_with_library() {
   local root=$1 library
-  apt_install "$root" "$(cd "$2" && echo ./packages/libsomato[0-9]*.deb)" \
-    "$(cd "$2" && echo ./packages/libsomato-dev*.deb)" g++ cmake make || return 1
+  apt_install "$root" "$(cd "$root" && echo ./packages/libsomato[0-9]*.deb)" \
+    "$(cd "$root" && echo ./packages/libsomato-dev*.deb)" g++ cmake make || return 1
   for library in somato shared; do
     # shellcheck disable=SC2016
     inside "$root" bash -ec '
@@ -159,7 +159,7 @@ run_release() {
     step 'service' check_service "$root" && passed+=', the service'
     for file in "$folder"/somato_*.deb; do row "$file" "$(needs "$file")" "$passed"; done
     passed=''
-    step 'programs with the library' build_with_library "$root" "$folder" &&
+    step 'programs with the library' build_with_library "$root" &&
       passed='lintian, programs in C and C++ built and run'
     for file in "$folder"/libsomato*.deb; do row "$file" "$(needs "$file")" "$passed"; done
   fi
