@@ -35,7 +35,7 @@ require_releases "${releases[@]}"
 scripts/setup.sh package
 require_systems
 mkdir -p "$out"
-work=$(mktemp -d /var/checked/somato-release.XXXXXX)
+work=$(mktemp -d /var/tmp/somato-release.XXXXXX)
 trap 'rm -rf --one-file-system "$work"' EXIT
 
 failures=0
