@@ -11,12 +11,14 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-declare -rA codenames=([12]=bookworm [13]=trixie)
 readonly logs=$PWD/build/other_systems
 
 complain() {
   echo "other_systems: $*" >&2
 }
+
+# shellcheck source=scripts/bare_system.sh
+source scripts/bare_system.sh
 
 cache='' only_run=''
 while [[ ${1:-} == --* ]]; do
@@ -33,62 +35,16 @@ done
 IFS=, read -ra releases <<<"${1:-12,13}"
 readonly architecture=${2:-$(dpkg --print-architecture)}
 
-for release in "${releases[@]}"; do
-  if [[ ! -v codenames[$release] ]]; then
-    complain "unknown release '$release' of Debian; there are: ${!codenames[*]}"
-    exit 2
-  fi
-done
-if [[ $(id -u) != 0 ]]; then
-  complain "root is required, to mount /proc, /sys and /dev in each system; run it with sudo"
-  exit 1
-fi
-if ! command -v debootstrap >/dev/null; then
-  complain "debootstrap is missing; install it with: apt-get install debootstrap"
-  exit 1
-fi
+require_releases "${releases[@]}"
+require_systems
 
 work=$(mktemp -d /var/tmp/somato-systems.XXXXXX)
 trap 'rm -rf --one-file-system "$work"' EXIT
 mkdir -p "$logs"
 
-# inside ROOT COMMAND...: runs a command in a system, with /proc, /sys and /dev, in name spaces that end with it: no mount
-# and no process of it remains.
-inside() {
-  # shellcheck disable=SC2016
-  unshare --mount --pid --fork --kill-child bash -ec '
-    root=$1 cache=$2
-    shift 2
-    mount -t proc proc "$root/proc"
-    mount -t sysfs -o ro sysfs "$root/sys"
-    mount --rbind /dev "$root/dev"
-    mount -t tmpfs tmpfs "$root/dev/shm"
-    if [[ -n $cache ]]; then
-      mkdir -p "$root/root/.cache/ccache"
-      mount --bind "$cache" "$root/root/.cache/ccache"
-    fi
-    exec chroot "$root" env -u TMPDIR -u CCACHE_DIR -u XDG_CACHE_HOME HOME=/root LANG=C.UTF-8 \
-      PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "$@"
-  ' inside "$1" "$cache" "${@:2}" </dev/null
-}
-
-# The system reaches the network as this machine does: name servers, certificates, settings of apt and pip. Its own name
-# is that of every installation.
-copy_settings() {
-  local root=$1 file
-  printf '127.0.0.1 localhost\n::1 localhost\n' >"$root/etc/hosts"
-  cp --dereference /etc/resolv.conf "$root/etc/" &&
-    apt-config dump | grep '^Acquire::' >"$root/etc/apt/apt.conf.d/90machine" &&
-    for file in /usr/local/share/ca-certificates /etc/pip.conf; do
-      [[ ! -e $file ]] || cp -rT "$file" "$root$file" || return 1
-    done &&
-    inside "$root" update-ca-certificates
-}
-
 make_system() {
   local codename=$1 root=$2
-  debootstrap --variant=minbase --arch="$architecture" --include=ca-certificates,git "$codename" "$root" &&
-    copy_settings "$root" &&
+  bare_system "$codename" "$root" git &&
     git clone --quiet . "$root/somato" &&
     inside "$root" /somato/scripts/setup.sh build test
 }

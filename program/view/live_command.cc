@@ -12,6 +12,7 @@
 #include "flags/commands.h"
 #include "flags/layout_flag.h"
 #include "study/system_fit.h"
+#include "terminal/service_watch.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
 #include "view/live_source.h"
@@ -143,6 +144,7 @@ Result<void> run_live(const Arguments& arguments) {
   SOMATO_TRY(const auto rollover, read_rollover(arguments));
   SOMATO_TRY(const auto memory, read_page_memory(arguments));
   SOMATO_TRY(auto view, read_view(arguments));
+  SOMATO_TRY(auto manager, ServiceManager::from_environment());
   SOMATO_TRY(auto source, read_live_source(arguments));
   const bool is_viewed = view.has_value();
   ReadingSession readings(source.systems.front().trained, source.name);
@@ -157,9 +159,12 @@ Result<void> run_live(const Arguments& arguments) {
       std::move(source),
       {.wait_for_viewer = is_viewed, .speed = speed, .has_page = is_viewed, .memory = memory});
   SOMATO_TRY(auto server, serve_view(session, std::move(view)));
+  ServiceWatch watch(std::move(manager), [&](auto task) { return session.post(std::move(task)); });
   session.start();
   print_start(server.get());
-  readings.wait(is_viewed);
+  SOMATO_TRY_VOID(watch.begin());
+  readings.wait(is_viewed, [&] { watch.look(ServiceWatch::Clock::now()); });
+  watch.end();
   server.reset();
   session.stop();
   const auto saved = recording.finish();
@@ -182,6 +187,7 @@ Command live_command() {
       {input_flag("--model", "Trained system, saved by 'somato run'", true),
        {"--body", "Simulated body that explores: lucs2, lucs3, texture or hardness"},
        device_flag(),
+       unattended_flag(),
        input_flag("--recording",
                   "Recording to replay instead: its file, or a folder of original files"),
        input_flag("--objects",

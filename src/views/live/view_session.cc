@@ -63,6 +63,8 @@ class ViewSession::Impl {
     });
   }
 
+  bool post(std::function<void()> task) { return queue_.post(std::move(task)); }
+
   // Long computations run in the calling thread.
   Result<std::string> neuron(const std::string& map, std::size_t neuron) {
     return inquired_system().and_then(
@@ -275,6 +277,10 @@ Losses ViewSession::losses() const {
 
 Result<void> ViewSession::command(std::string_view json) {
   return impl_->command(json);
+}
+
+bool ViewSession::post(std::function<void()> task) {
+  return impl_->post(std::move(task));
 }
 
 Result<std::string> ViewSession::state() {
