@@ -13,6 +13,7 @@
 #include "base/kernels/instruction_set.h"
 #include "base/text/flag_hint.h"
 #include "flags/help_format.h"
+#include "flags/left_out.h"
 #include "flags/output.h"
 #include "flags/usage.h"
 #include "somato/core/check.h"
@@ -193,6 +194,7 @@ std::string see_help(const CLI::App& app) {
 
 // The most similar name, or the place that lists all names.
 Error unknown_flag(const CLI::App& app, const std::string& flag) {
+  if (auto error = left_out_flag(flag, words_of(app))) return *error;
   std::vector<std::string> flags;
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
@@ -205,7 +207,11 @@ Error unknown_flag(const CLI::App& app, const std::string& flag) {
 Error unexpected_argument(const CLI::App& app, const std::string& argument) {
   if (argument.starts_with("-")) return unknown_flag(app, argument.substr(0, argument.find('=')));
   const std::vector<std::string> commands = names_of_subcommands(app);
-  if (!commands.empty()) return unknown_name("command", argument, words_of(app), commands);
+  const std::string before = words_of(app);
+  if (auto error = left_out_command(before.empty() ? argument : before + " " + argument)) {
+    return *error;
+  }
+  if (!commands.empty()) return unknown_name("command", argument, before, commands);
   return {ErrorKind::kUsage, fmt::format("unexpected argument '{}'", argument), words_of(app),
           see_help(app)};
 }

@@ -1,0 +1,17 @@
+# -DSOMATO_PROFILE=robot: the program for the computer of a robot (docs/embedding.md). It only sets defaults of the
+# options, each of which can still be given.
+set(SOMATO_PROFILE "" CACHE STRING "A set of defaults for the options: empty, or robot")
+set_property(CACHE SOMATO_PROFILE PROPERTY STRINGS "" robot)
+if(SOMATO_PROFILE STREQUAL "robot")
+  foreach(part SIMULATION REPORT IMPORTERS PAGES PYTHON MPI PROTOBUF)
+    set(SOMATO_BUILD_${part} OFF CACHE BOOL "Off in the profile robot")
+  endforeach()
+  if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE MinSizeRel CACHE STRING "That of the profile robot" FORCE)
+  endif()
+  # The linker drops functions that no command uses.
+  add_compile_options(-ffunction-sections -fdata-sections)
+  add_link_options(-Wl,--gc-sections)
+elseif(NOT SOMATO_PROFILE STREQUAL "")
+  message(FATAL_ERROR "SOMATO_PROFILE=${SOMATO_PROFILE} is unknown: use robot, or leave it empty")
+endif()
