@@ -15,7 +15,7 @@ std::vector<Command> commands_of_this_build() {
     add(sense_command());
     add(reproduce_command());
   }
-  add(run_command());
+  if constexpr (kHasStudies) add(run_command());
   if constexpr (kHasSimulation) {
     add(sweep_command());
     add(merge_command());
@@ -26,27 +26,33 @@ std::vector<Command> commands_of_this_build() {
     add(view_command());
   }
   add(live_command());
-  add(information_command());
-  add(suggest_command());
-  add(touch_order_command());
+  if constexpr (kHasStudies) {
+    add(information_command());
+    add(suggest_command());
+    add(touch_order_command());
+  }
   add(apply_command());
-  add(systems_command());
+  if constexpr (kHasStudies) add(systems_command());
   add(modules_command());
   if constexpr (kHasImporters) add(import_command());
   add(inspect_command());
   add(recover_command());
   if constexpr (kHasImporters) add(convert_command());
-  add(som_train_command());
-  add(som_map_command());
-  add(som_quality_command());
+  if constexpr (kHasStudies) {
+    add(som_train_command());
+    add(som_map_command());
+    add(som_quality_command());
+  }
   if constexpr (kHasReport) add(som_plot_command());
-  add(som_cluster_command());
-  add(som_features_command());
+  if constexpr (kHasStudies) {
+    add(som_cluster_command());
+    add(som_features_command());
+  }
   if constexpr (kHasImporters) {
     add(som_export_command());
     add(som_import_command());
   }
-  add(som_predict_command());
+  if constexpr (kHasStudies) add(som_predict_command());
   add(completions_command());
   if constexpr (kHasSimulation) add(emulate_command());
   add(device_check_command());

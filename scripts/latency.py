@@ -87,15 +87,15 @@ board = { shape = "sphere", diameter = 50, material = "plastic" }
 """
 
 
-def write_files(program, folder):
-    """The trained system, the device and its object."""
+def write_files(trainer, folder):
+    """The system, trained by a program with the command 'run', the device and its object."""
     rows = [",".join(["object", *(f"taxel{i}" for i in range(TAXELS))])]
     for taxel in range(TAXELS):
         rows += 2 * [",".join([f"taxel{taxel}", *("1" if i == taxel else "0" for i in range(TAXELS))])]
     texts = {"touch.csv": "\n".join(rows) + "\n", "system.toml": SYSTEM, "device.toml": DEVICE, "objects.toml": OBJECTS}
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")
-    subprocess.run([program, "run", "system.toml", "--data", "touch.csv", "--out", "out", "--quiet"], cwd=folder, check=True,
+    subprocess.run([trainer, "run", "system.toml", "--data", "touch.csv", "--out", "out", "--quiet"], cwd=folder, check=True,
                    stdout=subprocess.DEVNULL)
 
 
@@ -181,8 +181,10 @@ def main():
     parser.add_argument("--frames", type=int, default=1_000_000)
     parser.add_argument("--rows", nargs="+", default=ROWS, help=f"of these words, with commas: {', '.join(sorted(WORDS))}")
     parser.add_argument("--programs", type=Path, default=TREE / "build/bench", help="folder of the built programs")
+    parser.add_argument("--trainer", type=Path, help="program that trains the system; default: the measured one")
     options = parser.parse_args()
     options.programs = options.programs.resolve()
+    options.trainer = options.trainer or options.programs / "somato"
     rows = [row.split(",") for row in options.rows]
     if not all(WORDS.issuperset(row) for row in rows):
         parser.error(f"a row consists of the words {', '.join(sorted(WORDS))}")
@@ -191,7 +193,7 @@ def main():
     print("| state | frames | median (ms) | 99.9 % (ms) | worst (ms) | frames lost |\n|---|---|---|---|---|---|", flush=True)
     for row in rows:
         with tempfile.TemporaryDirectory() as folder:
-            write_files(options.programs / "somato", Path(folder))
+            write_files(options.trainer.resolve(), Path(folder))
             found = measured(options, Path(folder), row)
             print(row_text(row, found), flush=True)
             print(json.dumps({"row": row, "load": os.getloadavg()[0]} | found), file=sys.stderr)

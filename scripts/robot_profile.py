@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
 """Builds the program with -DSOMATO_PROFILE=robot and checks what docs/embedding.md promises.
 
-  scripts/robot_profile.py [--program FILE]
+  scripts/robot_profile.py [--program FILE] [--trainer FILE]
 
 The program has at most 4 MB stripped; a command of a part that it lacks is refused with the part and with the build that
 has it; its help lists no such command; it starts in at most 20 ms; 'somato live' of 45 taxels at a serial line stays within
-12 MB of resident memory. Prints a table; the status is 1 if one fails. --program: one that is built already. Times are
-medians of 51 starts, and need a machine that is idle. A person or './dev release' runs it, and no test: a build takes minutes.
+12 MB of resident memory. Prints a table; the status is 1 if one fails. --program: one that is built already; --trainer:
+the whole program, which trains the system that is read (default: build/release/somato). Times are medians of 51 starts, with
+a real-time priority where that is permitted, so that other programs do not count. A person or './dev release' runs it, and no test: a build takes minutes.
 """
 
 import argparse
 import os
+import re
 import statistics
 import struct
 import subprocess
@@ -30,8 +32,9 @@ MOST_RESIDENT = 12_000_000
 MOST_START = 0.020  # s
 STARTS = 51
 ANSWERS = 2000  # after which the memory is read
-LEFT_OUT = ["sense", "reproduce", "sweep", "merge", "emulate", "report", "figure", "view", "som plot", "import", "convert",
-            "som import", "som export"]
+LEFT_OUT = ["sense", "reproduce", "sweep", "merge", "emulate", "report", "figure", "view", "som plot", "run", "information",
+            "suggest", "touch-order", "systems", "som train", "som map", "som quality", "som cluster", "som features",
+            "som predict", "import", "convert", "som import", "som export"]
 
 
 def build():
@@ -82,8 +85,14 @@ class Board:
         self.thread.join()
 
 
-def live(program, folder):
-    process = subprocess.Popen(latency.live_words(program), cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+def undisturbed():
+    """The words before a command that is measured."""
+    words = ["chrt", "-f", "50"]
+    return words if subprocess.run([*words, "true"], stderr=subprocess.DEVNULL, check=False).returncode == 0 else []
+
+
+def live(program, folder, before=()):
+    process = subprocess.Popen([*before, *latency.live_words(program)], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                stderr=subprocess.DEVNULL)
     process.stdin.write(b"\n")  # the thing is placed
     process.stdin.flush()
@@ -119,10 +128,10 @@ def time_of(start):
     return time.monotonic() - begin
 
 
-def start_of_live(program, folder):
+def start_of_live(program, folder, before):
     """Seconds from the start of the process to its first answer; frames arrive all the time."""
     begin = time.monotonic()
-    process = live(program, folder)
+    process = live(program, folder, before)
     process.stdout.readline()
     seconds = time.monotonic() - begin
     end(process)
@@ -136,11 +145,9 @@ def refusals(program):
         done = subprocess.run([program, *command.split()], capture_output=True, text=True, check=False)
         if done.returncode != 2 or "SOMATO_PROFILE=robot" not in done.stderr:
             wrong.append(command)
-    for group in ([], ["som"]):
-        text = subprocess.run([program, *group, "--help"], capture_output=True, text=True, check=True).stdout
-        listed = {" ".join([*group, line.split()[0]]) for line in text.splitlines() if line.startswith("  ") and line.split()}
-        wrong += sorted(listed.intersection(LEFT_OUT))
-    return wrong
+    text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
+    listed = {line.split()[0] for line in text.splitlines() if re.match(r"  \w", line)}
+    return wrong + sorted(listed.intersection({name.split()[0] for name in LEFT_OUT}))
 
 
 def stripped_size(program, folder):
@@ -148,16 +155,17 @@ def stripped_size(program, folder):
     return (folder / "stripped").stat().st_size
 
 
-def measured(program, folder):
+def measured(program, trainer, folder):
     """Rows of the table: what, value, most, unit."""
-    latency.write_files(program, folder)
+    latency.write_files(trainer, folder)
+    before = undisturbed()
     board = Board(folder / "port")
     try:
         now, most = memory_of_live(program, folder)
-        live_start = statistics.median(start_of_live(program, folder) for _ in range(STARTS))
+        live_start = statistics.median(start_of_live(program, folder, before) for _ in range(STARTS))
     finally:
         board.end()
-    version = [program, "--version"]
+    version = [*before, program, "--version"]
     start = statistics.median(time_of(lambda: subprocess.run(version, stdout=subprocess.DEVNULL, check=True))
                               for _ in range(STARTS))
     return [("program, stripped", stripped_size(program, folder) / 1e6, MOST_BYTES / 1e6, "MB"),
@@ -170,10 +178,11 @@ def measured(program, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", type=Path)
+    parser.add_argument("--trainer", type=Path, default=TREE / "build/release/somato")
     options = parser.parse_args()
     program = (options.program or build()).resolve()
     with tempfile.TemporaryDirectory() as folder:
-        rows = measured(program, Path(folder))
+        rows = measured(program, options.trainer.resolve(), Path(folder))
     print("| | measured | at most |\n|---|---|---|")
     for what, value, most, unit in rows:
         print(f"| {what} | {value:.2f} {unit} | {most:.0f} {unit} |")

@@ -375,12 +375,14 @@ int run_command_line(int argc, char** argv, const std::vector<Command>& commands
   root.formatter(std::make_shared<HelpFormat>());
   std::vector<std::string> words = command_words(argc, argv);
   const std::vector<Parser> parsers = parsers_of(commands, words, root);
-  root.footer(
-      "A map in three steps:\n"
-      "  somato som train data.csv -o my.map --standardize\n"
-      "  somato som quality my.map data.csv\n"
-      "  somato som plot my.map data.csv -o my.svg\n"
-      "All flags of a command: somato som train --help");
+  if constexpr (kHasStudies && kHasReport) {
+    root.footer(
+        "A map in three steps:\n"
+        "  somato som train data.csv -o my.map --standardize\n"
+        "  somato som quality my.map data.csv\n"
+        "  somato som plot my.map data.csv -o my.svg\n"
+        "All flags of a command: somato som train --help");
+  }
   std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
     root.parse(std::move(words));

@@ -33,6 +33,12 @@ const std::vector<BuildPart>& build_parts() {
        "REPORT",
        {"report", "figure", "view", "som plot"},
        {"--view", "--port", "--address", "--allow-others", "--names", "--each", "--layout"}},
+      {kHasStudies,
+       "training and evaluation",
+       "STUDIES",
+       {"run", "information", "suggest", "touch-order", "systems", "som train", "som map",
+        "som quality", "som cluster", "som features", "som predict"},
+       {}},
       {kHasImporters,
        "import and export",
        "IMPORTERS",
@@ -76,6 +82,11 @@ std::optional<Error> left_out_flag(const std::string& flag, const std::string& c
     return left_out(part, fmt::format("the flag '{}'", flag), command);
   }
   return {};
+}
+
+Error without_importers(const std::string& path) {
+  return {ErrorKind::kUsage, "this program was built without importers, and reads recordings only",
+          path, "import it with a program that is built with SOMATO_BUILD_IMPORTERS=ON"};
 }
 
 void remove_left_out_flags(Command& command) {

@@ -14,6 +14,9 @@ namespace somato::program {
 std::optional<Error> left_out_command(const std::string& words);
 std::optional<Error> left_out_flag(const std::string& flag, const std::string& command);
 
+/// The error (kUsage) for a file that only importers read, in a program without them.
+Error without_importers(const std::string& path);
+
 /// Removes the flags of parts that this build lacks.
 void remove_left_out_flags(Command& command);
 
