@@ -16,12 +16,7 @@ endif()
 # somato_make_small(): options by which a program of the profile is small. The linker drops functions that no command
 # uses, and keeps one of several equal ones.
 function(somato_make_small)
-  include(CheckCXXCompilerFlag)
   include(CheckLinkerFlag)
-  check_cxx_compiler_flag(-Oz SOMATO_HAS_OZ)
-  if(SOMATO_HAS_OZ AND CMAKE_BUILD_TYPE STREQUAL "MinSizeRel")
-    add_compile_options(-Oz)
-  endif()
   add_compile_options(-ffunction-sections -fdata-sections)
   add_link_options(-Wl,--gc-sections -Wl,--as-needed)
   if(SOMATO_HAS_LLD)

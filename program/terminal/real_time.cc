@@ -48,7 +48,7 @@ bool set_priority(int policy, int priority) {
 // Empty if the threads of this program may have the priority. It is tried out: a group of processes
 // may be without a share of real time although its limits permit it.
 std::string problem_of_priority() {
-  if (set_priority(SCHED_FIFO | SCHED_RESET_ON_FORK, kRealTimePriority)) {
+  if (set_priority(SCHED_FIFO, kRealTimePriority)) {
     require(set_priority(SCHED_OTHER, 0), "the ordinary priority cannot be refused");
     return {};
   }
