@@ -18,6 +18,7 @@
 #include "hardware/lines/serial_lines.h"
 #include "somato/bodies/object_table.h"
 #include "terminal/terminal.h"
+#include "version.h"
 
 namespace somato::program {
 namespace {
@@ -161,6 +162,12 @@ Result<BodyDescription> describe_body(ExploringBody body) {
 Result<DeviceFile> read_checked_device(const std::string& path) {
   SOMATO_TRY(auto file, devices::read_device_file(path));
   if (file.settings.body.empty()) return file;
+  if constexpr (!kHasSimulation) {
+    return fail(ErrorKind::kUsage,
+                "this program was built without simulated bodies, against which the device would "
+                "be checked",
+                path + ": body", "remove 'body', and name the objects with '--objects FILE'");
+  }
   SOMATO_TRY(const auto body,
              choice_named<ExploringBody>("body", file.settings.body, path + ": body"));
   SOMATO_TRY(const auto description, describe_body(body));
