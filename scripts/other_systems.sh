@@ -3,6 +3,7 @@
 #   other_systems.sh [--cache FOLDER] [--only-run] [RELEASES [ARCHITECTURE]]
 #   other_systems.sh 13         # releases are separated by commas; default: 12,13
 #   other_systems.sh 12,13 arm64
+#   other_systems.sh arm64      # the cross compiler of Debian 12, and what it has built under qemu-user (scripts/arm64.sh)
 # Requires root, debootstrap, about 10 GB and, on two cores, more than half an hour a system. Another
 # architecture than the machine's also requires qemu-user-static. Prints the seconds and the tests that
 # passed, and the names of those that failed; the logs stay in build/other_systems. --only-run leaves out
@@ -32,6 +33,8 @@ while [[ ${1:-} == --* ]]; do
     *) complain "unknown option '$1'; there are --cache FOLDER and --only-run" && exit 2 ;;
   esac
 done
+cross=''
+[[ ${1:-} != arm64 ]] || { cross=yes && shift && set -- 12 "$@"; }
 IFS=, read -ra releases <<<"${1:-12,13}"
 readonly architecture=${2:-$(dpkg --print-architecture)}
 
@@ -42,11 +45,16 @@ work=$(mktemp -d /var/tmp/somato-systems.XXXXXX)
 trap 'rm -rf --one-file-system "$work"' EXIT
 mkdir -p "$logs"
 
+bare_checkout() {
+  bare_system "$1" "$2" git && git clone --quiet . "$2/somato"
+}
+
 make_system() {
-  local codename=$1 root=$2
-  bare_system "$codename" "$root" git &&
-    git clone --quiet . "$root/somato" &&
-    inside "$root" /somato/scripts/setup.sh build test
+  bare_checkout "$@" && inside "$2" /somato/scripts/setup.sh build test
+}
+
+make_cross_system() {
+  bare_checkout "$@" && inside "$2" /somato/scripts/arm64.sh packages
 }
 
 # step NAME COMMAND...: runs it with the log of the system; prints whether it passes, and its seconds.
@@ -83,9 +91,33 @@ run_system() {
   return "$result"
 }
 
+# Builds for 64-bit ARM on Debian $1 and checks what was built.
+run_cross() {
+  local root=$work/cross result=0 stage
+  log=$logs/debian-$1-cross-arm64.log
+  : >"$log"
+  echo "== Debian $1 (${codenames[$1]}, $architecture), for arm64, $(git rev-parse --short HEAD)"
+  if step 'set-up' make_cross_system "${codenames[$1]}" "$root" &&
+    step 'build' inside "$root" /somato/scripts/arm64.sh build; then
+    for stage in same_bits tests readme counts; do
+      step "$stage" inside "$root" /somato/scripts/arm64.sh "$stage" || result=1
+    done
+    grep -aE '^same_bits:|tests passed, [0-9]+ tests failed|^Not run:|^(ok|skipped) .*README' "$log" | sed 's/^/          /'
+  else
+    result=1
+  fi
+  [[ $result == 0 ]] || tail -n 20 "$log" >&2
+  rm -rf --one-file-system "$root"
+  return "$result"
+}
+
 failed=()
 for release in "${releases[@]}"; do
-  run_system "$release" || failed+=("$release")
+  if [[ $cross ]]; then
+    run_cross "$release" || failed+=("$release, for arm64")
+  else
+    run_system "$release" || failed+=("$release")
+  fi
 done
 echo "Logs: $logs"
 if [[ ${#failed[@]} -gt 0 ]]; then
