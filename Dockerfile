@@ -1,16 +1,15 @@
 # Somato on Debian, for machines with another system (docs/container.md):
 #   docker build -t somato .
 #   docker run --rm -v "$PWD:/data" somato som train data.csv -o my.map --standardize
+# The image is a Debian with the package of Somato (docs/packages.md).
 ARG DEBIAN=12
 FROM debian:${DEBIAN} AS build
 WORKDIR /somato
 COPY . .
-RUN ./dev setup build && ./dev build release && cmake --install build/release --prefix /opt/somato
+RUN ./dev setup build package && scripts/pack.sh /packages
 
 FROM debian:${DEBIAN}-slim
-COPY scripts/setup.sh scripts/packages.txt /opt/scripts/
-RUN /opt/scripts/setup.sh run && rm -rf /opt/scripts /var/lib/apt/lists/*
-COPY --from=build /opt/somato /usr/local
-RUN ldconfig
+RUN --mount=type=bind,from=build,source=/packages,target=/packages \
+    apt-get update && apt-get install -y --no-install-recommends /packages/somato_*.deb && rm -rf /var/lib/apt/lists/*
 WORKDIR /data
 ENTRYPOINT ["somato"]

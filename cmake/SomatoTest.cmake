@@ -31,7 +31,7 @@ function(somato_test group name)
   # A target is replaced by its file only as the first word of a command.
   list(POP_FRONT test_COMMAND program)
   if(TARGET ${program})
-    set(program $<TARGET_FILE:${program}>)
+    set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>)
   endif()
   add_test(NAME ${group}.${name} COMMAND ${PROJECT_SOURCE_DIR}/scripts/with_processor_time.sh
            ${PROJECT_BINARY_DIR}/test_times/${group}.${name} ${program} ${test_COMMAND})

@@ -3,6 +3,7 @@
 #   other_systems.sh [--cache FOLDER] [--only-run] [RELEASES [ARCHITECTURE]]
 #   other_systems.sh 13         # releases are separated by commas; default: 12,13
 #   other_systems.sh 12,13 arm64
+#   other_systems.sh arm64      # the cross compiler of Debian 12, and what it has built under qemu-user (scripts/arm64.sh)
 # Requires root, debootstrap, about 10 GB and, on two cores, more than half an hour a system. Another
 # architecture than the machine's also requires qemu-user-static. Prints the seconds and the tests that
 # passed, and the names of those that failed; the logs stay in build/other_systems. --only-run leaves out
@@ -11,12 +12,14 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-declare -rA codenames=([12]=bookworm [13]=trixie)
 readonly logs=$PWD/build/other_systems
 
 complain() {
   echo "other_systems: $*" >&2
 }
+
+# shellcheck source=scripts/bare_system.sh
+source scripts/bare_system.sh
 
 cache='' only_run=''
 while [[ ${1:-} == --* ]]; do
@@ -30,67 +33,28 @@ while [[ ${1:-} == --* ]]; do
     *) complain "unknown option '$1'; there are --cache FOLDER and --only-run" && exit 2 ;;
   esac
 done
+cross=''
+[[ ${1:-} != arm64 ]] || { cross=yes && shift && set -- 12 "$@"; }
 IFS=, read -ra releases <<<"${1:-12,13}"
 readonly architecture=${2:-$(dpkg --print-architecture)}
 
-for release in "${releases[@]}"; do
-  if [[ ! -v codenames[$release] ]]; then
-    complain "unknown release '$release' of Debian; there are: ${!codenames[*]}"
-    exit 2
-  fi
-done
-if [[ $(id -u) != 0 ]]; then
-  complain "root is required, to mount /proc, /sys and /dev in each system; run it with sudo"
-  exit 1
-fi
-if ! command -v debootstrap >/dev/null; then
-  complain "debootstrap is missing; install it with: apt-get install debootstrap"
-  exit 1
-fi
+require_releases "${releases[@]}"
+require_systems
 
 work=$(mktemp -d /var/tmp/somato-systems.XXXXXX)
 trap 'rm -rf --one-file-system "$work"' EXIT
 mkdir -p "$logs"
 
-# inside ROOT COMMAND...: runs a command in a system, with /proc, /sys and /dev, in name spaces that end with it: no mount
-# and no process of it remains.
-inside() {
-  # shellcheck disable=SC2016
-  unshare --mount --pid --fork --kill-child bash -ec '
-    root=$1 cache=$2
-    shift 2
-    mount -t proc proc "$root/proc"
-    mount -t sysfs -o ro sysfs "$root/sys"
-    mount --rbind /dev "$root/dev"
-    mount -t tmpfs tmpfs "$root/dev/shm"
-    if [[ -n $cache ]]; then
-      mkdir -p "$root/root/.cache/ccache"
-      mount --bind "$cache" "$root/root/.cache/ccache"
-    fi
-    exec chroot "$root" env -u TMPDIR -u CCACHE_DIR -u XDG_CACHE_HOME HOME=/root LANG=C.UTF-8 \
-      PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "$@"
-  ' inside "$1" "$cache" "${@:2}" </dev/null
-}
-
-# The system reaches the network as this machine does: name servers, certificates, settings of apt and pip. Its own name
-# is that of every installation.
-copy_settings() {
-  local root=$1 file
-  printf '127.0.0.1 localhost\n::1 localhost\n' >"$root/etc/hosts"
-  cp --dereference /etc/resolv.conf "$root/etc/" &&
-    apt-config dump | grep '^Acquire::' >"$root/etc/apt/apt.conf.d/90machine" &&
-    for file in /usr/local/share/ca-certificates /etc/pip.conf; do
-      [[ ! -e $file ]] || cp -rT "$file" "$root$file" || return 1
-    done &&
-    inside "$root" update-ca-certificates
+bare_checkout() {
+  bare_system "$1" "$2" git && git clone --quiet . "$2/somato"
 }
 
 make_system() {
-  local codename=$1 root=$2
-  debootstrap --variant=minbase --arch="$architecture" --include=ca-certificates,git "$codename" "$root" &&
-    copy_settings "$root" &&
-    git clone --quiet . "$root/somato" &&
-    inside "$root" /somato/scripts/setup.sh build test
+  bare_checkout "$@" && inside "$2" /somato/scripts/setup.sh build test
+}
+
+make_cross_system() {
+  bare_checkout "$@" && inside "$2" /somato/scripts/arm64.sh packages
 }
 
 # step NAME COMMAND...: runs it with the log of the system; prints whether it passes, and its seconds.
@@ -127,9 +91,33 @@ run_system() {
   return "$result"
 }
 
+# Builds for 64-bit ARM on Debian $1 and checks what was built.
+run_cross() {
+  local root=$work/cross result=0 stage
+  log=$logs/debian-$1-cross-arm64.log
+  : >"$log"
+  echo "== Debian $1 (${codenames[$1]}, $architecture), for arm64, $(git rev-parse --short HEAD)"
+  if step 'set-up' make_cross_system "${codenames[$1]}" "$root" &&
+    step 'build' inside "$root" /somato/scripts/arm64.sh build; then
+    for stage in same_bits tests readme counts; do
+      step "$stage" inside "$root" /somato/scripts/arm64.sh "$stage" || result=1
+    done
+    grep -aE '^same_bits:|tests passed, [0-9]+ tests failed|^Not run:|^(ok|skipped) .*README' "$log" | sed 's/^/          /'
+  else
+    result=1
+  fi
+  [[ $result == 0 ]] || tail -n 20 "$log" >&2
+  rm -rf --one-file-system "$root"
+  return "$result"
+}
+
 failed=()
 for release in "${releases[@]}"; do
-  run_system "$release" || failed+=("$release")
+  if [[ $cross ]]; then
+    run_cross "$release" || failed+=("$release, for arm64")
+  else
+    run_system "$release" || failed+=("$release")
+  fi
 done
 echo "Logs: $logs"
 if [[ ${#failed[@]} -gt 0 ]]; then

@@ -30,7 +30,7 @@ from pathlib import Path
 # Permitted reasons for skipping a block, and the required form of each of its lines.
 REASONS = {
     "sets up the machine": r"(#.*|git clone .*|cd somato|\./dev( [a-z-]+)*( [\w/.-]+)?( *#.*)?"
-                           r"|sudo scripts/other_systems\.sh( \d+)?( *#.*)?)",
+                           r"|sudo scripts/other_systems\.sh( \d+| arm64)?( *#.*)?)",
     "needs docker": r"(#.*|docker .*)",
     "needs an installed Somato": r"(cmake .*|out/c/user .*)",
     "needs data of others": r"(#.*|.*--data .*|.*\"\$[A-Z]+\".*|.*\\|  .*)",

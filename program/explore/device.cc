@@ -18,6 +18,7 @@
 #include "hardware/lines/serial_lines.h"
 #include "somato/bodies/object_table.h"
 #include "terminal/terminal.h"
+#include "version.h"
 
 namespace somato::program {
 namespace {
@@ -62,8 +63,19 @@ Result<ObjectTable> things_of(const Arguments& arguments, const DeviceFile& file
               "--objects", "give a table of the objects that it explores (docs/objects.md)");
 }
 
+// One thing without a name: the device does not know what touches it. Servos only move after a
+// person has permitted it.
+Result<std::vector<ExploredThing>> unattended_things(const DeviceFile& file) {
+  if (file.servos.empty()) return std::vector<ExploredThing>{{"unknown", {}, {}}};
+  return fail(ErrorKind::kUsage,
+              fmt::format("{} has servos, and they move only after a person has pressed Enter",
+                          file.settings.name),
+              "--unattended", "omit it, or use a device that only has sensors");
+}
+
 Result<std::vector<ExploredThing>> explored_things(const Arguments& arguments,
                                                    const DeviceFile& file) {
+  if (arguments.has("unattended")) return unattended_things(file);
   SOMATO_TRY(const auto table, things_of(arguments, file));
   std::vector<ExploredThing> things;
   for (const Object& object : table.objects) {
@@ -110,6 +122,27 @@ Flag device_flag() {
                     "(docs/your-hand.md)");
 }
 
+Flag unattended_flag() {
+  return {"--unattended",
+          "With --device: explorations follow each other without Enter, of a thing without a name; "
+          "for devices without servos, such as a skin",
+          false, false};
+}
+
+Result<void> check_unattended(const Arguments& arguments) {
+  if (!arguments.has("unattended")) return {};
+  if (!arguments.has("device")) {
+    return fail(ErrorKind::kUsage, "only a device has to be attended", "--unattended",
+                "omit it, or use --device FILE");
+  }
+  for (const std::string flag : {"objects", "object"}) {
+    if (!arguments.has(flag)) continue;
+    return fail(ErrorKind::kUsage, "no person is there to place things", "--" + flag,
+                "omit it, or --unattended");
+  }
+  return {};
+}
+
 Result<std::unique_ptr<wire::Lines>> open_lines(const DeviceFile& file) {
   std::vector<wire::SerialLines::Port> ports;
   for (const devices::LineSettings& line : devices::lines_of(file)) {
@@ -129,6 +162,12 @@ Result<BodyDescription> describe_body(ExploringBody body) {
 Result<DeviceFile> read_checked_device(const std::string& path) {
   SOMATO_TRY(auto file, devices::read_device_file(path));
   if (file.settings.body.empty()) return file;
+  if constexpr (!kHasSimulation) {
+    return fail(ErrorKind::kUsage,
+                "this program was built without simulated bodies, against which the device would "
+                "be checked",
+                path + ": body", "remove 'body', and name the objects with '--objects FILE'");
+  }
   SOMATO_TRY(const auto body,
              choice_named<ExploringBody>("body", file.settings.body, path + ": body"));
   SOMATO_TRY(const auto description, describe_body(body));
@@ -153,9 +192,11 @@ Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
   SOMATO_TRY(auto exploring, read_settings(arguments));
   devices::DeviceSurroundings surroundings;
   surroundings.open_lines = [file] { return open_lines(file); };
-  surroundings.place = [file](const ExploredThing& thing, std::size_t trial) {
-    return place(file, thing, trial);
-  };
+  if (!arguments.has("unattended")) {
+    surroundings.place = [file](const ExploredThing& thing, std::size_t trial) {
+      return place(file, thing, trial);
+    };
+  }
   if (permitted == PermittedBy::kTerminal) surroundings.permit = permit_by_person;
   std::vector<Object> objects;
   for (const ExploredThing& thing : things) {

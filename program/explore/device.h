@@ -16,6 +16,12 @@ namespace somato::program {
 /// The flag `--device`.
 Flag device_flag();
 
+/// The flag `--unattended`.
+Flag unattended_flag();
+
+/// Errors (kUsage): --unattended without a device, or with names of things.
+Result<void> check_unattended(const Arguments& arguments);
+
 /// The servos and sensors of a simulated body. Errors: several bodies.
 Result<BodyDescription> describe_body(ExploringBody body);
 
@@ -43,9 +49,10 @@ enum class PermittedBy { kTerminal, kPage };
 
 /// An explorer of the device `file` at `path`, for the objects or materials of --objects, or of the
 /// body that it stands for; the parameters of --settings. Nothing moves before it explores. A
-/// person is requested to place each thing, unless an emulator does. `output` names the file
+/// person is requested to place each thing, unless an emulator does. With --unattended, one thing
+/// without a name is there already, and no person is waited for. `output` names the file
 /// beside which the last states of a stopped device are saved. Errors (kUsage): no table of
-/// objects; things without the shape that a hand requires.
+/// objects; things without the shape that a hand requires; servos that would move unattended.
 Result<std::unique_ptr<Explorer>> device_explorer(const Arguments& arguments,
                                                   const std::string& output, PermittedBy permitted);
 

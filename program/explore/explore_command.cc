@@ -15,6 +15,7 @@
 #include "explore/session_recording.h"
 #include "explore/topics.h"
 #include "flags/commands.h"
+#include "flags/left_out.h"
 #include "flags/output.h"
 #include "flags/output_folder.h"
 #include "recordings/file/growing_recording.h"
@@ -364,6 +365,7 @@ Command explore_command() {
       {"simulation"},
       key_sections_of_exploring};
   for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
+  remove_left_out_flags(command);
   return command;
 }
 

@@ -13,6 +13,7 @@
 #include "base/kernels/instruction_set.h"
 #include "base/text/flag_hint.h"
 #include "flags/help_format.h"
+#include "flags/left_out.h"
 #include "flags/output.h"
 #include "flags/usage.h"
 #include "somato/core/check.h"
@@ -193,6 +194,7 @@ std::string see_help(const CLI::App& app) {
 
 // The most similar name, or the place that lists all names.
 Error unknown_flag(const CLI::App& app, const std::string& flag) {
+  if (auto error = left_out_flag(flag, words_of(app))) return *error;
   std::vector<std::string> flags;
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
@@ -205,7 +207,11 @@ Error unknown_flag(const CLI::App& app, const std::string& flag) {
 Error unexpected_argument(const CLI::App& app, const std::string& argument) {
   if (argument.starts_with("-")) return unknown_flag(app, argument.substr(0, argument.find('=')));
   const std::vector<std::string> commands = names_of_subcommands(app);
-  if (!commands.empty()) return unknown_name("command", argument, words_of(app), commands);
+  const std::string before = words_of(app);
+  if (auto error = left_out_command(before.empty() ? argument : before + " " + argument)) {
+    return *error;
+  }
+  if (!commands.empty()) return unknown_name("command", argument, before, commands);
   return {ErrorKind::kUsage, fmt::format("unexpected argument '{}'", argument), words_of(app),
           see_help(app)};
 }
@@ -369,12 +375,14 @@ int run_command_line(int argc, char** argv, const std::vector<Command>& commands
   root.formatter(std::make_shared<HelpFormat>());
   std::vector<std::string> words = command_words(argc, argv);
   const std::vector<Parser> parsers = parsers_of(commands, words, root);
-  root.footer(
-      "A map in three steps:\n"
-      "  somato som train data.csv -o my.map --standardize\n"
-      "  somato som quality my.map data.csv\n"
-      "  somato som plot my.map data.csv -o my.svg\n"
-      "All flags of a command: somato som train --help");
+  if constexpr (kHasStudies && kHasReport) {
+    root.footer(
+        "A map in three steps:\n"
+        "  somato som train data.csv -o my.map --standardize\n"
+        "  somato som quality my.map data.csv\n"
+        "  somato som plot my.map data.csv -o my.svg\n"
+        "All flags of a command: somato som train --help");
+  }
   std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
     root.parse(std::move(words));

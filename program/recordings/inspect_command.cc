@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "flags/commands.h"
+#include "flags/left_out.h"
 #include "flags/result_output.h"
 #include "recordings/bags/bag_files.h"
 #include "recordings/bags/inspect_bag.h"
@@ -15,6 +16,7 @@
 #include "somato/recording/recording_file.h"
 #include "terminal/still_elements.h"
 #include "terminal/wording.h"
+#include "version.h"
 
 namespace somato::program {
 namespace {
@@ -226,14 +228,17 @@ Table table_of(const BagSummary& bag) {
 }
 
 Result<std::vector<BagSummary>> inspect_bags(const Arguments& arguments) {
-  SOMATO_TRY(const std::vector<BagLocation> found, find_bags(arguments.text("FILE")));
   std::vector<BagSummary> bags;
-  bags.reserve(found.size());
-  for (const BagLocation& location : found) {
-    SOMATO_TRY(BagSummary bag, inspect_bag(location, arguments.text("definitions")));
-    bags.push_back(std::move(bag));
+  if constexpr (kHasImporters) {
+    SOMATO_TRY(const std::vector<BagLocation> found, find_bags(arguments.text("FILE")));
+    bags.reserve(found.size());
+    for (const BagLocation& location : found) {
+      SOMATO_TRY(BagSummary bag, inspect_bag(location, arguments.text("definitions")));
+      bags.push_back(std::move(bag));
+    }
+    return bags;
   }
-  return bags;
+  return fail(without_importers(arguments.text("FILE")));
 }
 
 Result<void> inspect_only_bags(const Arguments& arguments) {

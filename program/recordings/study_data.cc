@@ -8,8 +8,11 @@
 
 #include "base/files/toml_file.h"
 #include "base/files/whole_file.h"
+#include "flags/left_out.h"
 #include "somato/core/value.h"
+#include "somato/recording/recording_file.h"
 #include "somato/studies/own_systems.h"
+#include "version.h"
 
 namespace somato::program {
 namespace {
@@ -20,6 +23,13 @@ Error with_nearest_own_file(Error error, const std::string& name) {
       nearest_name(std::filesystem::path(name).stem().string(), own_file_names());
   if (!nearest.empty()) error.advice += fmt::format(", or use the built-in '{}'", nearest);
   return error;
+}
+
+// Without importers only our own files are read.
+Result<Recording> load(const RecordingParameters& parameters, const std::string& path) {
+  if constexpr (kHasImporters) return load_recording(parameters, path);
+  if (is_mcap_file(path)) return read_recording(path);
+  return fail(without_importers(path));
 }
 
 }  // namespace
@@ -51,7 +61,7 @@ Result<NamedFile> read_file_or_own(const std::string& name) {
 }
 
 Result<Recording> read_study_data(const RecordingParameters& parameters, const std::string& path) {
-  auto recording = load_recording(parameters, path);
+  auto recording = load(parameters, path);
   if (!recording) return fail(with_place(std::move(recording.error()), path));
   if (auto valid = validate(*recording); !valid) {
     return fail(with_place(std::move(valid.error()), path));

@@ -8,8 +8,8 @@
 
 #include "base/files/whole_file.h"
 #include "explore/exploring_body.h"
-#include "flags/layout_flag.h"
 #include "flags/output.h"
+#include "recordings/layout_flag.h"
 #include "report/model_files.h"
 #include "report/pages.h"
 #include "report/report_recordings.h"

@@ -6,7 +6,7 @@
 
 #include "base/text/text.h"
 #include "flags/commands.h"
-#include "flags/layout_flag.h"
+#include "recordings/layout_flag.h"
 #include "flags/memory_flag.h"
 #include "flags/neuron_flag.h"
 #include "maps/pictures/map_panels.h"

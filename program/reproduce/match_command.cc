@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "som/data.h"
 #include "somato/simulation/simulated_explorer.h"
 #include "studies/inference/inference_results.h"
+#include "studies/inference/match_predictors.h"
 #include "studies/sweep/sweep_points.h"
 #include "terminal/wording.h"
 
@@ -167,15 +169,41 @@ std::string distance_lines(const Match& match) {
          distance_line("the recording: its first half", match.by_chance);
 }
 
+std::size_t without_scale(const Match& match) {
+  return static_cast<std::size_t>(
+      std::count_if(match.touch.scales.begin(), match.touch.scales.end(),
+                    [](double scale) { return !std::isfinite(scale); }));
+}
+
+std::string advice_lines(const Match& match) {
+  std::string text;
+  if (2 * without_scale(match) > match.left_out.size()) {
+    text += "Most statistics have no scale: explore each thing at least four times.\n";
+  }
+  const auto& movements = match.draws.movements;
+  if (!movements.empty() && movements.front() == movements.back()) {
+    text +=
+        "All draws play the same movements, whose effect on the statistics is therefore not known: "
+        "choose several 'recordings' in [sweep].\n";
+  }
+  if (!match.not_adjusted.empty())
+    text += "The settings are not adjusted: " + printable(match.not_adjusted) + ".\n";
+  return text;
+}
+
 std::string statistics_line(const Match& match) {
+  const auto informative = static_cast<std::size_t>(
+      std::count_if(match.explained.begin(), match.explained.end(),
+                    [](double share) { return share >= kLeastExplained; }));
   const auto left_out = static_cast<std::size_t>(
       std::count_if(match.left_out.begin(), match.left_out.end(),
                     [](const std::string& reason) { return !reason.empty(); }));
   const auto unreached = static_cast<std::size_t>(
       std::count(match.out_of_reach.begin(), match.out_of_reach.end(), true));
-  return fmt::format("{}: {} used, {} left out; {} that no draw reaches\n",
-                     counted(match.left_out.size(), "statistic"), match.left_out.size() - left_out,
-                     left_out, unreached);
+  return fmt::format(
+      "{}: {} used, {} left out; {} that no draw reaches; {} that the unknowns change\n",
+      counted(match.left_out.size(), "statistic"), match.left_out.size() - left_out, left_out,
+      unreached, informative);
 }
 
 std::string match_table(const Match& match) {
@@ -184,8 +212,9 @@ std::string match_table(const Match& match) {
                      printable(names_of(sweep)), counted(match.draws.points.size(), "draw"),
                      match.inference.posterior.size(),
                      counted(match.touch.fitted_explorations, "exploration")) +
-         compared_lines(match.touch.compared) + statistics_line(match) + distance_lines(match) +
-         "\n" + inferred_unknowns_table(sweep.sweep, match.inference, match.parameters.adjusted);
+         compared_lines(match.touch.compared) + statistics_line(match) + advice_lines(match) +
+         distance_lines(match) + "\n" +
+         inferred_unknowns_table(sweep.sweep, match.inference, false);
 }
 
 Result<void> finish_match(const Arguments& arguments, const MatchRequest& request, MatchRun& run) {

@@ -188,8 +188,9 @@ Result<std::size_t> MatchRun::completed() {
 
 Result<Match> MatchRun::result() {
   remove_earlier_match(request_.out);
-  MatchDraws draws{request_.sweep, request_.points, Matrix<double>(0, touch_.names.size())};
+  MatchDraws draws{request_.sweep, request_.points, Matrix<double>(0, touch_.names.size()), {}};
   for (std::size_t i = 0; i < request_.points.size(); ++i) {
+    if (plays_sensors(request_.sweep.sweep)) draws.movements.push_back(recording_of_draw(i));
     SOMATO_TRY(const auto statistics, statistics_at(request_.points[i], seeds_of_draw(i)));
     std::ranges::copy(statistics, draws.statistics.add_row().begin());
   }
@@ -204,7 +205,11 @@ Result<Match> MatchRun::result() {
 
 MatchRun::Seeds MatchRun::seeds_of_draw(std::size_t number) const {
   const SweepParameters& sweep = request_.sweep.sweep.sweep;
-  return {sweep.seed + number, sweep.seed + number % sweep.recordings};
+  return {sweep.seed + number, sweep.seed + recording_of_draw(number)};
+}
+
+std::size_t MatchRun::recording_of_draw(std::size_t number) const {
+  return number * request_.sweep.sweep.sweep.recordings / request_.points.size();
 }
 
 Result<Recording> MatchRun::simulate(const SweepPoint& point, Seeds seeds) {

@@ -67,6 +67,9 @@ class MatchRun {
   };
 
   Seeds seeds_of_draw(std::size_t number) const;
+  /// The recording whose sensors a draw plays. Consecutive draws share one: those of a sequence of
+  /// Sobol are evenly distributed over the prior, and every second or fourth draw is not.
+  std::size_t recording_of_draw(std::size_t number) const;
   Result<Recording> simulate(const SweepPoint& point, Seeds seeds);
   Result<std::string> name_at(const SweepPoint& point, Seeds seeds) const;
   /// Nothing if it is missing or damaged.

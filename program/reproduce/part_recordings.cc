@@ -78,6 +78,15 @@ Result<KeptRecordings::Kept> PartRecordings::get(const ReproductionPart& part, s
   });
 }
 
+Result<void> PartRecordings::remove_explored(const ReproductionPart& part) {
+  if (request_.given || stock_) return {};
+  SOMATO_TRY(const auto table, read_explore_table(part.explore));
+  for (std::size_t index = 0; index < request_.recordings; ++index) {
+    SOMATO_TRY_VOID(explored_.remove(table, index));
+  }
+  return {};
+}
+
 Result<std::string> PartRecordings::identity(const ReproductionPart& part, std::size_t index) {
   if (stock_) return stock_->identity(stocked(part, index));
   if (!request_.given) {

@@ -57,6 +57,10 @@ class PartRecordings final : public RecordingSource {
   /// Recordings are explored with the seeds of the request as it is now.
   void use_seeds() { explored_.begin_at(request_.seed); }
 
+  /// Removes the files of the recordings that were explored for a part. Errors: those of
+  /// identity().
+  Result<void> remove_explored(const ReproductionPart& part);
+
   bool is_given() const override { return request_.given.has_value(); }
   Result<std::size_t> count(const ReproductionPart& part) const override;
   Result<KeptRecordings::Kept> get(const ReproductionPart& part, std::size_t index) override;

@@ -182,6 +182,15 @@ Result<void> ExploredRecordings::explore_missing(const ExploreTable& table, bool
   return explore(table, new_objects, seed, name);
 }
 
+Result<void> ExploredRecordings::remove(const ExploreTable& table, std::size_t index) const {
+  for (const bool new_objects : {false, true}) {
+    SOMATO_TRY(const auto file, path(table, new_objects, first_seed_ + index));
+    std::error_code gone;
+    std::filesystem::remove(file, gone);
+  }
+  return {};
+}
+
 Result<PairedRecording> ExploredRecordings::explored(const ExploreTable& table, bool new_objects,
                                                      std::uint64_t seed) const {
   SOMATO_TRY_VOID(explore_missing(table, new_objects, seed));

@@ -63,6 +63,10 @@ class ExploredRecordings {
   /// The path of the recording with this seed, or of that of the new objects. Errors: as above.
   Result<std::string> path(const ExploreTable& table, bool new_objects, std::uint64_t seed) const;
 
+  /// Removes the file of the recording at that place, and that of its new objects, if they exist.
+  /// Errors: as above.
+  Result<void> remove(const ExploreTable& table, std::size_t index) const;
+
   /// Explores it unless its file exists. Errors: those of get().
   Result<void> explore_missing(const ExploreTable& table, bool new_objects,
                                std::uint64_t seed) const;

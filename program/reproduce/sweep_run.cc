@@ -149,6 +149,11 @@ Result<void> SweepRun::run_point(std::size_t number, SweepProgress& progress) {
     auto ran = run_study_at(point, plan.parts[i], progress);
     if (!ran) return ran;
   }
+  return request_.targets ? remove_recordings(plan.parts) : Result<void>();
+}
+
+Result<void> SweepRun::remove_recordings(const std::vector<ReproductionPart>& parts) {
+  for (const ReproductionPart& part : parts) SOMATO_TRY_VOID(recordings_.remove_explored(part));
   return {};
 }
 

@@ -61,6 +61,8 @@ class SweepRun {
   /// Nothing if a study is missing.
   Result<std::optional<std::vector<PartResults>>> found_at(std::size_t number);
   Result<std::vector<std::size_t>> missing_points();
+  /// The recordings of a draw serve no other point, and those of a thousand draws fill a disk.
+  Result<void> remove_recordings(const std::vector<ReproductionPart>& parts);
   Result<void> run_point(std::size_t number, SweepProgress& progress);
   Result<void> run_study_at(const SweepPoint& point, const ReproductionPart& part,
                             const SweepProgress& progress);

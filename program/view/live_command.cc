@@ -10,8 +10,11 @@
 #include "explore/session_recording.h"
 #include "explore/topics.h"
 #include "flags/commands.h"
-#include "flags/layout_flag.h"
+#include "flags/left_out.h"
+#include "recordings/layout_flag.h"
 #include "study/system_fit.h"
+#include "terminal/real_time.h"
+#include "terminal/service_watch.h"
 #include "terminal/terminal.h"
 #include "terminal/wording.h"
 #include "view/live_source.h"
@@ -64,6 +67,14 @@ Result<double> read_speed(const Arguments& arguments) {
   read.error().where = "--speed";
   read.error().advice = "use max, or a factor between 0.05 and 100";
   return fail(std::move(read.error()));
+}
+
+// Locked from the beginning: what is read of the model stays in memory.
+Result<void> begin_real_time(const Arguments& arguments) {
+  if (!arguments.has("realtime")) return {};
+  if (arguments.has("device")) return prepare_real_time();
+  return fail(ErrorKind::kUsage, "has no effect without a device", "--realtime",
+              "omit it, or use it together with --device FILE");
 }
 
 Result<ViewSystem> read_model(const std::string& path) {
@@ -143,6 +154,8 @@ Result<void> run_live(const Arguments& arguments) {
   SOMATO_TRY(const auto rollover, read_rollover(arguments));
   SOMATO_TRY(const auto memory, read_page_memory(arguments));
   SOMATO_TRY(auto view, read_view(arguments));
+  SOMATO_TRY(auto manager, ServiceManager::from_environment());
+  SOMATO_TRY_VOID(begin_real_time(arguments));
   SOMATO_TRY(auto source, read_live_source(arguments));
   const bool is_viewed = view.has_value();
   ReadingSession readings(source.systems.front().trained, source.name);
@@ -153,13 +166,17 @@ Result<void> run_live(const Arguments& arguments) {
   SOMATO_TRY_VOID(recording.begin());
   source.file = recording.file();
   catch_stop_requests();
-  ViewSession session(
-      std::move(source),
-      {.wait_for_viewer = is_viewed, .speed = speed, .has_page = is_viewed, .memory = memory});
+  ViewSettings settings{
+      .wait_for_viewer = is_viewed, .speed = speed, .has_page = is_viewed, .memory = memory};
+  if (arguments.has("realtime")) settings.on_thread = take_real_time_priority;
+  ViewSession session(std::move(source), settings);
   SOMATO_TRY(auto server, serve_view(session, std::move(view)));
+  ServiceWatch watch(std::move(manager), [&](auto task) { return session.post(std::move(task)); });
   session.start();
   print_start(server.get());
-  readings.wait(is_viewed);
+  SOMATO_TRY_VOID(watch.begin());
+  readings.wait(is_viewed, [&] { watch.look(ServiceWatch::Clock::now()); });
+  watch.end();
   server.reset();
   session.stop();
   const auto saved = recording.finish();
@@ -182,6 +199,7 @@ Command live_command() {
       {input_flag("--model", "Trained system, saved by 'somato run'", true),
        {"--body", "Simulated body that explores: lucs2, lucs3, texture or hardness"},
        device_flag(),
+       unattended_flag(),
        input_flag("--recording",
                   "Recording to replay instead: its file, or a folder of original files"),
        input_flag("--objects",
@@ -198,6 +216,10 @@ Command live_command() {
            "system to this file at the end; after an unknown exploration a name is awaited"),
        {"--speed",
         "Factor of the original speed, 0.05 to 100, or max: without waiting. Default: 1"},
+       {"--realtime",
+        "With --device: lock the memory, and give the threads that read and compute a real-time "
+        "priority (SCHED_FIFO, 40). An error where that is not permitted",
+        false, false},
        {"--view",
         "Show the explorations in a browser at the same time, like 'somato view'; they begin with "
         "the first viewer, or with --device after a press of Start, and the view stays open until "
@@ -210,6 +232,7 @@ Command live_command() {
   for (Flag& flag : planned_name_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : topic_flags()) command.flags.push_back(std::move(flag));
   for (Flag& flag : server_flags()) command.flags.push_back(std::move(flag));
+  remove_left_out_flags(command);
   return command;
 }
 

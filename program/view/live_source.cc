@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bodies/explorers/recorded_scenes.h"
+#include "explore/device.h"
 #include "explore/exploring_body.h"
 #include "explore/topics.h"
 #include "recordings/study_data.h"
@@ -39,6 +40,7 @@ Result<void> check_one_source(const Arguments& arguments) {
 Result<void> check_source_flags(const Arguments& arguments) {
   SOMATO_TRY_VOID(check_one_source(arguments));
   SOMATO_TRY_VOID(check_topic_flags(arguments));
+  SOMATO_TRY_VOID(check_unattended(arguments));
   for (const std::string flag : {"object", "explorations", "seed", "output", "every"}) {
     if (!arguments.has(flag) || !arguments.has("recording")) continue;
     return no_effect(flag, "has no effect on a recording", "use it together with --body");

@@ -87,9 +87,13 @@ void ReadingSession::end(const Result<void>& outcome) {
 }
 
 // A signal cannot wake a thread that waits.
-void ReadingSession::wait(bool stays_open) {
+void ReadingSession::wait(bool stays_open, const std::function<void()>& meanwhile) {
   std::unique_lock lock(mutex_);
   while (!stop_requested() && !is_over(stays_open)) {
+    lock.unlock();
+    meanwhile();
+    lock.lock();
+    if (is_over(stays_open)) return;
     changed_.wait_for(lock, std::chrono::milliseconds(50));
   }
 }

@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -37,8 +38,8 @@ class ReadingSession {
   live::ReadingSink sink();
 
   /// Waits until all is read, or a stop is requested; with `stays_open` only until a stop is
-  /// requested, unless there was an error.
-  void wait(bool stays_open);
+  /// requested, unless there was an error. Calls `meanwhile` 20 times per second.
+  void wait(bool stays_open, const std::function<void()>& meanwhile);
 
   /// After the player was stopped. Errors: those of the readings; kInterrupted if they were not
   /// complete; kIncomplete if explorations have failed.

@@ -16,7 +16,7 @@
 #include "explore/session_recording.h"
 #include "explore/topics.h"
 #include "flags/commands.h"
-#include "flags/layout_flag.h"
+#include "recordings/layout_flag.h"
 #include "recordings/study_data.h"
 #include "terminal/terminal.h"
 #include "view/browser.h"

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "flags/layout_flag.h"
 #include "recordings/explorations/recording_json.h"
+#include "recordings/layout_flag.h"
 #include "views/skins/channel_places.h"
 
 namespace somato::program {

@@ -5,6 +5,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 
 import guard
+import guard_arm64
 import limits
 import report
 
@@ -27,6 +28,42 @@ class Guard(unittest.TestCase):
         text = "part: 1\ndesc: Trigger: Client Request: float.product\n\nevents: Ir\nsummary: 4711\n"
         match = guard.PART.search(text)
         self.assertEqual((match["name"], match["count"]), ("float.product", "4711"))
+
+
+class GuardOfArm64(unittest.TestCase):
+    PROMISED = ("float.inner_products", "double.inner_products")
+
+    def setUp(self):
+        self.promised = guard_arm64.PROMISED
+        guard_arm64.PROMISED = {"single": {self.PROMISED[0]}, "double": {self.PROMISED[1]}}
+
+    def tearDown(self):
+        guard_arm64.PROMISED = self.promised
+
+    def problems(self, scalar, neon):
+        table = list(guard_arm64.rows(scalar, scalar, neon))
+        return list(guard_arm64.problems(table, scalar, neon))
+
+    def counts(self, single, double, digest="a"):
+        return dict(zip(self.PROMISED, ((digest, single), (digest, double))))
+
+    def test_passes_a_third_and_five_eighths(self):
+        self.assertEqual(self.problems(self.counts(300, 160), self.counts(100, 100)), [])
+
+    def test_refuses_more(self):
+        self.assertEqual(self.problems(self.counts(299, 159), self.counts(100, 100)), [
+            "float.inner_products: 2.99 times fewer, 3.0 are promised",
+            "double.inner_products: 1.59 times fewer, 1.6 are promised"])
+
+    def test_refuses_other_bits(self):
+        self.assertEqual(self.problems(self.counts(300, 160), self.counts(100, 100, "b")), [
+            "float.inner_products: other bits", "double.inner_products: other bits"])
+
+    def test_refuses_a_kernel_that_is_not_counted(self):
+        scalar, neon = self.counts(300, 160), self.counts(100, 100)
+        for counts in (scalar, neon):
+            del counts["double.inner_products"]
+        self.assertEqual(self.problems(scalar, neon), ["double.inner_products: not counted"])
 
 
 class Limits(unittest.TestCase):

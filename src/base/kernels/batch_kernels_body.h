@@ -124,6 +124,80 @@ inline Vector<float> to_sixteen(Vector<float> a, std::int16_t* out) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permute4x64_epi64(mixed, 0xD8));
   return {_mm256_cvtepi32_ps(low), _mm256_cvtepi32_ps(high)};
 }
+#elif defined(SOMATO_NEON)
+constexpr std::size_t kBlocksAtOnce = 1;
+constexpr std::size_t kSamplesAtOnce = 3;
+constexpr std::size_t kMixedAtOnce = 4;
+struct IntegerSums {
+  int32x4_t parts[4];
+  static IntegerSums zero() {
+    const int32x4_t part = vdupq_n_s32(0);
+    return {{part, part, part, part}};
+  }
+  Vector<float> to_floats() const {
+    return {{vcvtq_f32_s32(parts[0]), vcvtq_f32_s32(parts[1]), vcvtq_f32_s32(parts[2]),
+             vcvtq_f32_s32(parts[3])}};
+  }
+};
+// The first and the second integers of the pairs of eight lanes each.
+struct Pairs {
+  int16x8_t first[2], second[2];
+  static Pairs load(const std::int16_t* from) {
+    const int16x8x2_t low = vld2q_s16(from);
+    const int16x8x2_t high = vld2q_s16(from + 16);
+    return {{low.val[0], high.val[0]}, {low.val[1], high.val[1]}};
+  }
+  static int16x4_t all(std::int32_t pair) { return vreinterpret_s16_s32(vdup_n_s32(pair)); }
+};
+inline IntegerSums add_products(IntegerSums sums, const Pairs& a, int16x4_t both) {
+#pragma GCC unroll 2
+  for (int i = 0; i < 2; ++i) {
+    int32x4_t& low = sums.parts[2 * i];
+    int32x4_t& high = sums.parts[2 * i + 1];
+    low = vmlal_lane_s16(low, vget_low_s16(a.first[i]), both, 0);
+    low = vmlal_lane_s16(low, vget_low_s16(a.second[i]), both, 1);
+    high = vmlal_high_lane_s16(high, a.first[i], both, 0);
+    high = vmlal_high_lane_s16(high, a.second[i], both, 1);
+  }
+  return sums;
+}
+// A bit a lane.
+inline unsigned bits_of(uint32x4_t a, uint32x4_t b, uint32x4_t c, uint32x4_t d) {
+  constexpr std::uint8_t kBits[] = {1, 2, 4, 8, 16, 32, 64, 128, 1, 2, 4, 8, 16, 32, 64, 128};
+  const auto low = vuzp1q_u16(vreinterpretq_u16_u32(a), vreinterpretq_u16_u32(b));
+  const auto high = vuzp1q_u16(vreinterpretq_u16_u32(c), vreinterpretq_u16_u32(d));
+  const auto lanes = vuzp1q_u8(vreinterpretq_u8_u16(low), vreinterpretq_u8_u16(high));
+  const auto bits = vandq_u8(lanes, vld1q_u8(kBits));
+  return vaddv_u8(vget_low_u8(bits)) | (unsigned{vaddv_u8(vget_high_u8(bits))} << 8U);
+}
+inline unsigned below(const Vector<float>& a, const Vector<float>& b) {
+  const auto mask = [&](int i) { return vcltq_f32(a.parts[i], b.parts[i]); };
+  return bits_of(mask(0), mask(1), mask(2), mask(3));
+}
+inline unsigned not_above(const Vector<float>& a, const Vector<float>& b) {
+  const auto mask = [&](int i) { return vcleq_f32(a.parts[i], b.parts[i]); };
+  return bits_of(mask(0), mask(1), mask(2), mask(3));
+}
+inline Vector<float> lesser(const Vector<float>& a, const Vector<float>& b) {
+  return by_parts([](auto x, auto y) { return vbslq_f32(vcltq_f32(x, y), x, y); }, a, b);
+}
+inline Vector<float> unaligned(const float* from) {
+  return Vector<float>::load(from);
+}
+inline Vector<double> as_doubles(const float* from) {
+  return widened(vld1q_f32(from), vld1q_f32(from + 4));
+}
+inline void add_integers(const Vector<double>& a, std::int64_t* to) {
+  const int64x2_t bits = vdupq_n_s64(kBitsOfOneIsLast);
+  for (const float64x2_t part : a.parts) {
+    vst1q_s64(to, vld1q_s64(to) + (vreinterpretq_s64_f64(part) - bits));
+    to += 2;
+  }
+}
+inline Vector<float> to_sixteen(const Vector<float>& a, std::int16_t* out) {
+  a.store_rounded(out);
+  return by_parts([](auto x) { return vrndnq_f32(x); }, a);
+}
 #else
 constexpr std::size_t kBlocksAtOnce = 1;
 constexpr std::size_t kSamplesAtOnce = 3;
@@ -275,7 +349,7 @@ inline void multiply(const ScreenedNeurons& neurons, const std::uint32_t* blocks
     }
 #pragma GCC unroll 6
     for (std::size_t s = 0; s < kSamplesAtOnce; ++s) {
-      const Pairs both = Pairs::all(pair_at(rows + 2 * (s * pairs + pair)));
+      const auto both = Pairs::all(pair_at(rows + 2 * (s * pairs + pair)));
 #pragma GCC unroll 4
       for (std::size_t b = 0; b < Count; ++b) {
         sums[s * Count + b] = add_products(sums[s * Count + b], weights[b], both);

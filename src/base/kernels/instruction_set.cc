@@ -19,6 +19,7 @@ namespace kernels {
   extern const OnlineTable kOnlineTable;   \
   }
 SOMATO_DECLARE_TABLES(portable)
+SOMATO_DECLARE_TABLES(neon)
 SOMATO_DECLARE_TABLES(avx2)
 SOMATO_DECLARE_TABLES(avx512)
 #undef SOMATO_DECLARE_TABLES
@@ -37,9 +38,10 @@ std::atomic<InstructionSet>& chosen_set() {
 
 }  // namespace
 
-const std::array<std::pair<InstructionSet, std::string>, 4>& named_instruction_sets() {
-  static const std::array<std::pair<InstructionSet, std::string>, 4> sets{
+const std::array<std::pair<InstructionSet, std::string>, 5>& named_instruction_sets() {
+  static const std::array<std::pair<InstructionSet, std::string>, 5> sets{
       {{InstructionSet::kPortable, "portable"},
+       {InstructionSet::kNeon, "neon"},
        {InstructionSet::kAvx2, "avx2"},
        {InstructionSet::kAvx512, "avx512"},
        {InstructionSet::kAvx512Vnni, "avx512_vnni"}}};
@@ -55,7 +57,9 @@ std::string name_of(InstructionSet set) {
 
 std::vector<InstructionSet> available_instruction_sets() {
   std::vector<InstructionSet> sets{InstructionSet::kPortable};
-#if defined(__x86_64__)
+#if defined(__aarch64__)
+  sets.push_back(InstructionSet::kNeon);
+#elif defined(__x86_64__)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     sets.push_back(InstructionSet::kAvx2);
   }
@@ -87,6 +91,8 @@ const Table<float>& table<float>() {
 #if defined(__x86_64__)
   if (instruction_set() >= InstructionSet::kAvx512) return avx512::kFloatTable;
   if (instruction_set() == InstructionSet::kAvx2) return avx2::kFloatTable;
+#elif defined(__aarch64__)
+  if (instruction_set() == InstructionSet::kNeon) return neon::kFloatTable;
 #endif
   return portable::kFloatTable;
 }
@@ -96,6 +102,8 @@ const Table<double>& table<double>() {
 #if defined(__x86_64__)
   if (instruction_set() >= InstructionSet::kAvx512) return avx512::kDoubleTable;
   if (instruction_set() == InstructionSet::kAvx2) return avx2::kDoubleTable;
+#elif defined(__aarch64__)
+  if (instruction_set() == InstructionSet::kNeon) return neon::kDoubleTable;
 #endif
   return portable::kDoubleTable;
 }
@@ -105,6 +113,8 @@ const BatchTable& batch_table() {
   if (instruction_set() == InstructionSet::kAvx512Vnni) return avx512_vnni::kBatchTable;
   if (instruction_set() == InstructionSet::kAvx512) return avx512::kBatchTable;
   if (instruction_set() == InstructionSet::kAvx2) return avx2::kBatchTable;
+#elif defined(__aarch64__)
+  if (instruction_set() == InstructionSet::kNeon) return neon::kBatchTable;
 #endif
   return portable::kBatchTable;
 }
@@ -113,6 +123,8 @@ const OnlineTable& online_table() {
 #if defined(__x86_64__)
   if (instruction_set() >= InstructionSet::kAvx512) return avx512::kOnlineTable;
   if (instruction_set() == InstructionSet::kAvx2) return avx2::kOnlineTable;
+#elif defined(__aarch64__)
+  if (instruction_set() == InstructionSet::kNeon) return neon::kOnlineTable;
 #endif
   return portable::kOnlineTable;
 }

@@ -11,13 +11,14 @@ namespace somato {
 /// speed.
 enum class InstructionSet {
   kPortable,    ///< The instructions that every processor of the architecture has.
+  kNeon,        ///< NEON of 64-bit ARM.
   kAvx2,        ///< AVX2 with fused multiply-add.
   kAvx512,      ///< AVX-512 F and BW.
   kAvx512Vnni,  ///< The same with sums of products of 16-bit integers.
 };
 
 /// Every set with its name, slowest first.
-const std::array<std::pair<InstructionSet, std::string>, 4>& named_instruction_sets();
+const std::array<std::pair<InstructionSet, std::string>, 5>& named_instruction_sets();
 
 std::string name_of(InstructionSet set);
 

@@ -16,6 +16,7 @@ namespace somato::kernels {
   extern const TMpsomTable kTMpsomTable;     \
   }
 SOMATO_DECLARE_TABLES(portable)
+SOMATO_DECLARE_TABLES(neon)
 SOMATO_DECLARE_TABLES(avx2)
 SOMATO_DECLARE_TABLES(avx512)
 #undef SOMATO_DECLARE_TABLES
@@ -32,6 +33,9 @@ const Table* table_in_use(const Table* plain, const Table* of_avx2, const Table*
 }  // namespace
 
 #define SOMATO_TABLE_IN_USE(name) *table_in_use(&portable::name, &avx2::name, &avx512::name)
+#elif defined(__aarch64__)
+#define SOMATO_TABLE_IN_USE(name) \
+  (instruction_set() == InstructionSet::kNeon ? neon::name : portable::name)
 #else
 #define SOMATO_TABLE_IN_USE(name) portable::name
 #endif

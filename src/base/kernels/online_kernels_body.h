@@ -13,6 +13,14 @@ constexpr std::size_t kInputsAtOnce = 16;
 constexpr std::size_t kInputsAtOnce = 4;
 #endif
 
+// Turns of a loop over inputs that are written out, where short vectors leave little work to a
+// turn.
+#if defined(SOMATO_NEON)
+constexpr int kInputsInTurn = 2;
+#else
+constexpr int kInputsInTurn = 1;
+#endif
+
 // Calls work<Count>() for the count, at most Most.
 template <std::size_t Most, typename Work>
 inline void for_count(std::size_t count, const Work& work) {
@@ -153,6 +161,7 @@ void combine_row(float* row, std::size_t columns, float kept, const float* gains
   const auto limits = Vector<float>::all(limit);
   for (std::size_t i = 0; i < columns; i += kLaneCount<float>) {
     auto moved = keep * Vector<float>::load(row + i);
+#pragma GCC unroll kInputsInTurn
     for (std::size_t j = 0; j < count; ++j) {
       const auto input = Vector<float>::load(inputs.first + j * inputs.stride + i);
       moved = multiply_add(Vector<float>::all(gains[j]), input, moved);

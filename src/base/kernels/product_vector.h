@@ -108,6 +108,81 @@ inline Vector<double> floor_of(Vector<double> a) {
   return {_mm256_floor_pd(a.low), _mm256_floor_pd(a.high)};
 }
 
+#elif defined(SOMATO_NEON)
+
+// Apart from the other half of each product, which upper_with() is the only one to read.
+struct Words {
+  uint32x4_t lanes[2];
+  uint32x4_t upper[2];
+  static Words all(std::uint32_t word) {
+    const uint32x4_t lane = vdupq_n_u32(word);
+    return {{lane, lane}, {lane, lane}};
+  }
+  static Words of(const uint64x2_t (&numbers)[4]) {
+    const auto words = [&](int i) { return vreinterpretq_u32_u64(numbers[i]); };
+    return {{vuzp1q_u32(words(0), words(1)), vuzp1q_u32(words(2), words(3))},
+            {vuzp2q_u32(words(0), words(1)), vuzp2q_u32(words(2), words(3))}};
+  }
+  static Words load(const std::uint64_t* from) {
+    return of({vld1q_u64(from), vld1q_u64(from + 2), vld1q_u64(from + 4), vld1q_u64(from + 6)});
+  }
+};
+inline Words product_of(const Words& a, const Words& b) {
+  return Words::of({vmull_u32(vget_low_u32(a.lanes[0]), vget_low_u32(b.lanes[0])),
+                    vmull_high_u32(a.lanes[0], b.lanes[0]),
+                    vmull_u32(vget_low_u32(a.lanes[1]), vget_low_u32(b.lanes[1])),
+                    vmull_high_u32(a.lanes[1], b.lanes[1])});
+}
+inline Words exclusive_or(Words a, const Words& b) {
+  a.lanes[0] ^= b.lanes[0];
+  a.lanes[1] ^= b.lanes[1];
+  return a;
+}
+inline Words upper_with(Words product, const Words& b, const Words& c) {
+  product.lanes[0] = product.upper[0] ^ b.lanes[0] ^ c.lanes[0];
+  product.lanes[1] = product.upper[1] ^ b.lanes[1] ^ c.lanes[1];
+  return product;
+}
+// The conversion divides by 2^24.
+inline float32x4_t uniform_of(uint32x4_t words) {
+  return vcvtq_n_f32_u32(vshrq_n_u32(words, 8), 24);
+}
+inline Vector<float> uniform_of(const Words& even, const Words& odd) {
+  return {{uniform_of(vzip1q_u32(even.lanes[0], odd.lanes[0])),
+           uniform_of(vzip2q_u32(even.lanes[0], odd.lanes[0])),
+           uniform_of(vzip1q_u32(even.lanes[1], odd.lanes[1])),
+           uniform_of(vzip2q_u32(even.lanes[1], odd.lanes[1]))}};
+}
+
+// Not the instruction for the minimum, which differs where a number is missing.
+inline Vector<double> minimum(const Vector<double>& a, const Vector<double>& b) {
+  return by_parts([](auto x, auto y) { return vbslq_f64(vcltq_f64(x, y), x, y); }, a, b);
+}
+inline unsigned equal_lanes(const Vector<double>& a, const Vector<double>& b) {
+  constexpr std::uint16_t kBits[] = {1, 2, 4, 8, 16, 32, 64, 128};
+  const auto equal = [&](int i) {
+    return vreinterpretq_u32_u64(vceqq_f64(a.parts[i], b.parts[i]));
+  };
+  const auto low = vreinterpretq_u16_u32(vuzp1q_u32(equal(0), equal(1)));
+  const auto high = vreinterpretq_u16_u32(vuzp1q_u32(equal(2), equal(3)));
+  return vaddvq_u16(vandq_u16(vuzp1q_u16(low, high), vld1q_u16(kBits)));
+}
+inline Vector<double> where_positive(const Vector<double>& condition, const Vector<double>& a,
+                                     const Vector<double>& b) {
+  return by_parts([](auto x, auto y, auto z) { return vbslq_f64(vcgtzq_f64(x), y, z); }, condition,
+                  a, b);
+}
+inline float64x2_t power_of_two(float64x2_t exponent) {
+  const uint64x2_t biased = bits_of(exponent + vdupq_n_f64(0x1.8p52 + 1023.0));
+  return vreinterpretq_f64_u64(vshlq_n_u64(biased, 52));
+}
+inline Vector<double> power_of_two(const Vector<double>& exponent) {
+  return by_parts([](auto x) { return power_of_two(x); }, exponent);
+}
+inline Vector<double> floor_of(const Vector<double>& a) {
+  return by_parts([](auto x) { return vrndmq_f64(x); }, a);
+}
+
 #else
 
 struct Words {

@@ -7,7 +7,11 @@
 template <typename Real>
 struct Vector;
 
-#if defined(__AVX512F__)
+#if defined(SOMATO_NEON)
+
+#include "base/kernels/vector_neon.h"  // NOLINT(bugprone-suspicious-include): as this file
+
+#elif defined(__AVX512F__)
 
 template <>
 struct Vector<float> {

@@ -1,12 +1,16 @@
 #include "somato/bodies/explorer.h"
 
+#include <fmt/format.h>
+
 #include "somato/core/check.h"
 
 namespace somato {
 
 std::vector<Label> Explorer::labels(std::size_t thing, std::size_t trial) const {
   const ExploredThing& explored = things_.at(thing);
-  return explored.object ? labels_of(*explored.object, trial) : labels_of(explored.material, trial);
+  if (explored.object) return labels_of(*explored.object, trial);
+  if (!explored.material.name.empty()) return labels_of(explored.material, trial);
+  return {{"object", explored.name}, {"trial", fmt::format("{}", trial + 1)}};
 }
 
 Result<Exploration> Explorer::explore(std::size_t thing, std::size_t trial,

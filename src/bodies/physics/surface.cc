@@ -58,23 +58,24 @@ std::array<double, 4> spline_weights(double t) {
 
 Surface::Surface(const Material& material, double finest, std::uint64_t world_seed)
     : key_(surface_key(material.name, world_seed)),
+      correlation_length_(material.correlation_length),
       weave_period_(material.weave_period),
       weave_amplitude_(0.5 * material.weave_period >= finest ? 0.5 * material.weave_height : 0.0),
       weave_phase_(fraction(philox4x32({0, 0, 0, kWeave}, key_)[0])) {
-  double spacing = material.correlation_length;
-  while (spacing >= finest) {
+  double refinement = 1.0;
+  while (correlation_length_ / refinement >= finest) {
     lattices_.push_back(
-        make_lattice(material, static_cast<std::uint32_t>(lattices_.size()), spacing));
-    spacing *= 0.5;
+        make_lattice(material, static_cast<std::uint32_t>(lattices_.size()), refinement));
+    refinement *= 2.0;
   }
 }
 
 Surface::Lattice Surface::make_lattice(const Material& material, std::uint32_t number,
-                                       double spacing) const {
+                                       double refinement) const {
   const Words words = philox4x32({0, 0, number, kShifts}, key_);
   const double first = std::sqrt(1.0 - power(2.0, -2.0 * material.hurst));
   Lattice lattice;
-  lattice.spacing = spacing;
+  lattice.refinement = refinement;
   lattice.amplitude = material.roughness * first * power(2.0, -material.hurst * number) /
                       kSplineVariance;  // its root, for each of two directions
   lattice.number = number;
@@ -83,24 +84,36 @@ Surface::Lattice Surface::make_lattice(const Material& material, std::uint32_t n
   return lattice;
 }
 
-void Surface::visit(Lattice& lattice, std::int64_t cell_x, std::int64_t cell_y) const {
-  if (lattice.cell_x == cell_x && lattice.cell_y == cell_y) return;
-  lattice.cell_x = cell_x;
-  lattice.cell_y = cell_y;
+// Whether the cell has changed.
+bool Surface::move(Position& position, double cells) {
+  if (position.cells == cells) return false;
+  const double below = std::floor(cells);
+  const auto cell = static_cast<std::int64_t>(below);
+  const bool is_new = position.cell != cell;
+  position = {cells, cell, spline_weights(cells - below)};
+  return is_new;
+}
+
+// Moves to a position in cells.
+void Surface::visit(Lattice& lattice, double x, double y) const {
+  const bool is_new_x = move(lattice.x, x);
+  const bool is_new_y = move(lattice.y, y);
+  if (!is_new_x && !is_new_y) return;
   for (std::size_t i = 0; i < 16; ++i) {
-    const auto x = static_cast<std::uint32_t>(cell_x + static_cast<std::int64_t>(i % 4));
-    const auto y = static_cast<std::uint32_t>(cell_y + static_cast<std::int64_t>(i / 4));
-    lattice.nodes[i] = node_height(philox4x32({x, y, lattice.number, kNodes}, key_));
+    const auto node_x =
+        static_cast<std::uint32_t>(lattice.x.cell + static_cast<std::int64_t>(i % 4));
+    const auto node_y =
+        static_cast<std::uint32_t>(lattice.y.cell + static_cast<std::int64_t>(i / 4));
+    lattice.nodes[i] = node_height(philox4x32({node_x, node_y, lattice.number, kNodes}, key_));
   }
 }
 
+// At a position in correlation lengths; its product with a power of two is exact.
 double Surface::height_of(Lattice& lattice, double x, double y) const {
-  const double u = x / lattice.spacing + lattice.shift_x;
-  const double v = y / lattice.spacing + lattice.shift_y;
-  visit(lattice, static_cast<std::int64_t>(std::floor(u)),
-        static_cast<std::int64_t>(std::floor(v)));
-  const auto along = spline_weights(u - std::floor(u));
-  const auto across = spline_weights(v - std::floor(v));
+  visit(lattice, x * lattice.refinement + lattice.shift_x,
+        y * lattice.refinement + lattice.shift_y);
+  const std::array<double, 4>& along = lattice.x.weights;
+  const std::array<double, 4>& across = lattice.y.weights;
   double sum = 0.0;
   for (std::size_t i = 0; i < 16; ++i) sum += along[i % 4] * across[i / 4] * lattice.nodes[i];
   return lattice.amplitude * sum;
@@ -113,7 +126,9 @@ double Surface::weave(double x) const {
 
 double Surface::height(double x, double y) {
   double sum = weave(x);
-  for (Lattice& lattice : lattices_) sum += height_of(lattice, x, y);
+  const double lengths_x = x / correlation_length_;
+  const double lengths_y = y / correlation_length_;
+  for (Lattice& lattice : lattices_) sum += height_of(lattice, lengths_x, lengths_y);
   return sum;
 }
 

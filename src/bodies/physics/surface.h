@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,23 +25,32 @@ class Surface {
   double height(double x, double y);
 
  private:
+  // A position along one axis of a lattice.
+  struct Position {
+    double cells = NAN;  // from the origin
+    std::int64_t cell = INT64_MIN;
+    std::array<double, 4> weights{};  // of the nodes around the cell
+  };
+
   struct Lattice {
-    double spacing = 0.0;    // mm
-    double amplitude = 0.0;  // um
+    double refinement = 1.0;  // cells in a correlation length, a power of two
+    double amplitude = 0.0;   // um
     std::uint32_t number = 0;
     double shift_x = 0.0;  // cells
     double shift_y = 0.0;
-    std::int64_t cell_x = INT64_MIN;
-    std::int64_t cell_y = INT64_MIN;
-    std::array<double, 16> nodes{};  // around that cell
+    Position x;
+    Position y;
+    std::array<double, 16> nodes{};  // around the cell of both positions
   };
 
-  Lattice make_lattice(const Material& material, std::uint32_t number, double spacing) const;
-  void visit(Lattice& lattice, std::int64_t cell_x, std::int64_t cell_y) const;
+  Lattice make_lattice(const Material& material, std::uint32_t number, double refinement) const;
+  void visit(Lattice& lattice, double x, double y) const;
+  static bool move(Position& position, double cells);
   double height_of(Lattice& lattice, double x, double y) const;
   double weave(double x) const;
 
   std::array<std::uint32_t, 2> key_;
+  double correlation_length_;  // mm
   std::vector<Lattice> lattices_;
   double weave_period_;
   double weave_amplitude_;

@@ -53,7 +53,8 @@ class Edge {
   // The velocity of the edge, mm/s, one tick after the last call.
   double move_to(double degrees) {
     const double before = height_;
-    height_ = height_at(degrees);
+    if (degrees != degrees_) height_ = height_at(degrees);
+    degrees_ = degrees;
     return resonance_(gain_ * (height_ - before));
   }
 
@@ -68,7 +69,8 @@ class Edge {
   double mm_per_degree_;
   double start_;
   double across_;
-  double height_;
+  double degrees_ = 0.0;
+  double height_;  // at that angle
 };
 
 // The sound of the servo in motion.

@@ -63,10 +63,6 @@ Result<void> TopicExplorer::connect(const ExploreOptions& options) {
   }
 }
 
-std::vector<Label> TopicExplorer::labels(std::size_t thing, std::size_t trial) const {
-  return {{"object", things().at(thing).name}, {"trial", fmt::format("{}", trial + 1)}};
-}
-
 Result<Exploration> TopicExplorer::explore_thing(std::size_t thing, std::size_t trial,
                                                  const ExploreOptions& options) {
   if (!body_) SOMATO_TRY_VOID(connect(options));

@@ -41,8 +41,6 @@ class TopicExplorer : public Explorer {
   /// Others move the robot.
   bool moves_real_body() const override { return false; }
 
-  std::vector<Label> labels(std::size_t thing, std::size_t trial) const override;
-
  protected:
   Result<Exploration> explore_thing(std::size_t thing, std::size_t trial,
                                     const ExploreOptions& options) override;

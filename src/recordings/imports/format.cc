@@ -15,26 +15,25 @@
 #include "recordings/tables/files_below.h"
 #include "recordings/tables/name_pattern.h"
 #include "recordings/tables/table_recording.h"
+#include "somato/core/check.h"
 #include "somato/recording/recording_file.h"
 
 namespace somato {
 namespace {
 
-// A public data set: a row is all that the program knows of it.
+// A public data set. How it is read is in import_data_set(): a program that only names the formats
+// does not contain their importers.
 struct DataSet {
   RecordingFormat format;
   const char* name;
   const char* pattern;  // of its files
-  Result<Recording> (*import)(const std::filesystem::path& folder);
 };
 
 constexpr DataSet kDataSets[] = {
-    {RecordingFormat::kIcubGrasp, "icub_grasp", kIcubGraspFiles, import_icub_grasp},
-    {RecordingFormat::kFabricslide, "fabricslide", kFabricslideFiles, import_fabricslide},
-    {RecordingFormat::kHkustPressSlide, "hkust_press_slide", kHkustPressSlideFiles,
-     import_hkust_press_slide},
-    {RecordingFormat::kAcousticHardness, "acoustic_hardness", kAcousticHardnessFiles,
-     import_acoustic_hardness},
+    {RecordingFormat::kIcubGrasp, "icub_grasp", kIcubGraspFiles},
+    {RecordingFormat::kFabricslide, "fabricslide", kFabricslideFiles},
+    {RecordingFormat::kHkustPressSlide, "hkust_press_slide", kHkustPressSlideFiles},
+    {RecordingFormat::kAcousticHardness, "acoustic_hardness", kAcousticHardnessFiles},
 };
 
 bool fits(const NamePattern& pattern, const std::string& file) {
@@ -141,15 +140,29 @@ bool is_table(const std::filesystem::path& path) {
 
 namespace {
 
+Result<Recording> import_data_set(RecordingFormat format, const std::filesystem::path& folder) {
+  switch (format) {
+    case RecordingFormat::kIcubGrasp:
+      return import_icub_grasp(folder);
+    case RecordingFormat::kFabricslide:
+      return import_fabricslide(folder);
+    case RecordingFormat::kHkustPressSlide:
+      return import_hkust_press_slide(folder);
+    case RecordingFormat::kAcousticHardness:
+    case RecordingFormat::kAutomatic:
+      break;
+  }
+  SOMATO_ASSERT(format == RecordingFormat::kAcousticHardness);
+  return import_acoustic_hardness(folder);
+}
+
 Result<Recording> read_without_table(RecordingFormat format, const std::filesystem::path& path) {
   std::error_code missing;
   if (std::filesystem::is_regular_file(path, missing)) return read_recording(path.string());
   if (format == RecordingFormat::kAutomatic) {
     SOMATO_TRY(format, recognize_format(path));
   }
-  const auto* const set = std::find_if(std::begin(kDataSets), std::end(kDataSets),
-                                       [&](const DataSet& one) { return one.format == format; });
-  return set->import(path);
+  return import_data_set(format, path);
 }
 
 }  // namespace

@@ -21,6 +21,9 @@ void check_sizes(const Simulations& all, const Observation& observed, const Acce
   require(all.statistics.rows() == count && all.draw.size() == count,
           "each simulation has places, statistics and a draw");
   require(all.is_continuous.size() == all.places.columns(), "each unknown is continuous or not");
+  require(all.group.empty() || all.group.size() == count, "each simulation has a group, or none");
+  require(!rule.predictions || all.statistics.columns() == all.places.columns(),
+          "each unknown has a prediction");
   require(observed.values.size() == all.statistics.columns() &&
               observed.scales.size() == observed.values.size(),
           "each statistic has an observed value and a scale");
@@ -40,7 +43,7 @@ DrawDistances distances_to(const Simulations& all, const Observation& observed, 
                            std::optional<std::size_t> left_out) {
   DrawDistances distances;
   for (std::size_t i = 0; i < all.draw.size(); ++i) {
-    const bool may_be = all.draw[i] != left_out;
+    const bool may_be = all.group_of(i) != left_out;
     distances.of_simulation.push_back(may_be ? distance_of(all.statistics.row(i), observed)
                                              : kInfinite);
   }
@@ -51,9 +54,9 @@ DrawDistances distances_to(const Simulations& all, const Observation& observed, 
     distances.last = -1.0;
     return distances;
   }
-  const auto candidates =
-      static_cast<double>(all.draw.size() - static_cast<std::size_t>(std::count(
-                                                all.draw.begin(), all.draw.end(), left_out)));
+  const std::vector<std::size_t>& groups = all.group.empty() ? all.draw : all.group;
+  const auto candidates = static_cast<double>(
+      groups.size() - static_cast<std::size_t>(std::count(groups.begin(), groups.end(), left_out)));
   const auto wanted = static_cast<std::ptrdiff_t>(std::ceil(share * candidates));
   distances.last =
       sorted[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(wanted, 1, finite) - 1)];
@@ -107,6 +110,18 @@ void adjust(const Simulations& all, const Observation& observed, Posterior& acce
   }
 }
 
+void adjust_by_predictions(const Simulations& all, const Observation& observed,
+                           Posterior& accepted) {
+  for (std::size_t i = 0; i < accepted.size(); ++i) {
+    const auto predicted = all.statistics.row(accepted.simulations[i]);
+    for (std::size_t u = 0; u < predicted.size(); ++u) {
+      if (!all.is_continuous[u]) continue;
+      const double place = accepted.places(i, u) - predicted[u] + observed.values[u];
+      accepted.places(i, u) = std::clamp(place, 0.0, 1.0);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<double> places_of(const Matrix<double>& places, std::size_t unknown) {
@@ -142,6 +157,11 @@ std::optional<Posterior> accept_nearest(const Simulations& simulations, const Ob
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     const auto places = simulations.places.row(accepted.simulations[i]);
     std::copy(places.begin(), places.end(), accepted.places.row(i).begin());
+  }
+  if (rule.predictions) {
+    accepted.is_adjusted = rule.adjusted;
+    if (rule.adjusted) adjust_by_predictions(simulations, observed, accepted);
+    return accepted;
   }
   const std::size_t coefficients = observed.values.size() + 1;
   accepted.is_adjusted = rule.adjusted && accepted.size() >= kLeastOfCoefficient * coefficients;

@@ -21,6 +21,12 @@ struct Simulations {
   std::vector<std::size_t> draw;  ///< Number of the draw of each simulation.
   std::vector<bool>
       is_continuous;  ///< For each unknown: whether places between those drawn have a meaning.
+  /// For each simulation, the number of what several draws share, such as movements whose sensors
+  /// they play; empty: draws share nothing.
+  std::vector<std::size_t> group;
+
+  /// The group of simulation `i`, or its draw.
+  std::size_t group_of(std::size_t i) const { return group.empty() ? draw[i] : group[i]; }
 };
 
 /// Observed values, and the difference of each that counts as 1.
@@ -32,7 +38,11 @@ struct Observation {
 /// The rule by which simulations are accepted.
 struct AcceptanceRule {
   double share = 0.05;   ///< Share of the simulations, above 0 and at most 1.
-  bool adjusted = true;  ///< Whether places are adjusted by local linear regression.
+  bool adjusted = true;  ///< Whether places are adjusted.
+  /// Whether the statistics are predictions of the places, one for each unknown: places are then
+  /// adjusted by what their predictions differ from the observed ones, instead of by local
+  /// regression.
+  bool predictions = false;
 };
 
 /// A sample of the posterior distribution.
@@ -62,10 +72,12 @@ double distance_of(std::span<const double> statistics, const Observation& observ
 /// (Epanechnikov) and reach 0 at the nearest simulation that is not accepted. Adjusted places are
 /// those of continuous unknowns, on the scale of their logarithmic odds, less what a weighted
 /// linear regression on the statistics predicts for the difference from the observation; statistics
-/// that are constant or follow from others have no part in it.
+/// that are constant or follow from others have no part in it. With `predictions`, adjusted places
+/// are those less the prediction, plus the observed prediction, within the prior.
 ///
-/// `left_out` is a draw whose simulations are not accepted. Nothing if no simulation has finite
-/// statistics. Throws InvalidArgument for sizes that do not agree, scales or shares out of range.
+/// `left_out` is a group (or a draw, without groups) whose simulations are not accepted. Nothing if
+/// no simulation has finite statistics. Throws InvalidArgument for sizes that do not agree, scales
+/// or shares out of range.
 ///
 /// Source: M. A. Beaumont, W. Zhang, D. J. Balding, "Approximate Bayesian computation in population
 /// genetics", Genetics 162 (2002); the logarithmic odds keep adjusted places in their range.

@@ -81,19 +81,25 @@ Calibration calibrate(const Simulations& simulations, const std::vector<double>&
   Calibration calibration;
   const std::vector<std::size_t> selected = selected_truths(simulations, truths, random);
   std::vector<double> ranks;
+  std::vector<double> squares(simulations.places.columns(), 0.0);
   std::size_t inferred = 0;
   for (const std::size_t truth : selected) {
     const auto posterior = accept_nearest(simulations, observation_of(simulations, truth, scales),
-                                          rule, simulations.draw[truth]);
+                                          rule, simulations.group_of(truth));
     if (!posterior) continue;  // a single draw has statistics
     ++inferred;
     for (std::size_t u = 0; u < simulations.places.columns(); ++u) {
       ranks.push_back(weighted_rank(places_of(posterior->places, u), posterior->weights,
                                     simulations.places(truth, u), random.uniform()));
+      const double error = summary_of(*posterior, u).mean - simulations.places(truth, u);
+      squares[u] += error * error;
     }
   }
   calibration.ranks = Matrix<double>(inferred, simulations.places.columns(), std::move(ranks));
-  if (inferred > 0) summarize_ranks(calibration);
+  if (inferred == 0) return calibration;
+  summarize_ranks(calibration);
+  for (const double sum : squares)
+    calibration.errors.push_back(std::sqrt(sum / static_cast<double>(inferred)));
   return calibration;
 }
 

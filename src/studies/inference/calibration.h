@@ -18,10 +18,14 @@ struct Calibration {
   /// For each unknown: how likely ranks of uniform distribution are to deviate at least as much
   /// (Kolmogorov-Smirnov).
   std::vector<double> uniform_p;
+  /// For each unknown: root mean square of the differences of the posterior's mean places from the
+  /// true ones.
+  std::vector<double> errors;
 };
 
 /// Takes simulations of `truths` different draws, selected at random with `seed`, as observations
-/// in turn, and infers each from the simulations of the other draws with the same scales and rule.
+/// in turn, and infers each from the simulations of the other draws (of other groups, if there are
+/// groups) with the same scales and rule.
 /// All draws, if there are fewer. Truths without finite statistics are not selected. A random part
 /// of the weight of equal values is below a truth, so that ranks are uniform for unknowns with few
 /// values, too.

@@ -48,7 +48,7 @@ std::optional<Posterior> without_own_targets(const Claim& claim, const Simulatio
   }
   if (columns.empty()) return {};
   Simulations others{all.places, Matrix<double>(all.draw.size(), columns.size()), all.draw,
-                     all.is_continuous};
+                     all.is_continuous, all.group};
   for (std::size_t i = 0; i < all.draw.size(); ++i) {
     for (std::size_t c = 0; c < columns.size(); ++c)
       others.statistics(i, c) = all.statistics(i, columns[c]);

@@ -108,7 +108,8 @@ Simulations simulations_of(const SweepResults& results) {
   Simulations all{Matrix<double>(0, sweep.unknowns.size()),
                   Matrix<double>(0, results.sweep.measured.size()),
                   {},
-                  continuous_unknowns(sweep)};
+                  continuous_unknowns(sweep),
+                  {}};
   for (std::size_t draw = 0; draw < results.points.size(); ++draw) {
     const SweepPointResults& point = results.points[draw];
     const std::vector<double> places = places_in_prior(sweep, point.point);
@@ -125,7 +126,7 @@ Result<Inference> infer(const SweepResults& results, const Targets& targets) {
   auto posterior = accept_nearest(all, targets.observation(), targets.rule());
   if (!posterior) return nothing_measured(all, targets);
   return summarized(results.sweep.sweep, std::move(all), std::move(*posterior),
-                    targets.observation().scales, targets.inference);
+                    targets.observation().scales, targets.rule(), targets.inference);
 }
 
 std::vector<double> places_in_prior(const SweepDescription& sweep, const SweepPoint& point) {
@@ -147,7 +148,8 @@ std::vector<bool> continuous_unknowns(const SweepDescription& sweep) {
 }
 
 Inference summarized(const SweepDescription& sweep, Simulations simulations, Posterior posterior,
-                     const std::vector<double>& scales, const InferenceParameters& parameters) {
+                     const std::vector<double>& scales, const AcceptanceRule& rule,
+                     const InferenceParameters& parameters) {
   Inference found;
   found.simulations = std::move(simulations);
   found.posterior = std::move(posterior);
@@ -156,7 +158,7 @@ Inference summarized(const SweepDescription& sweep, Simulations simulations, Pos
   }
   found.correlations = correlations_of(found.posterior);
   found.calibration =
-      calibrate(found.simulations, scales, parameters.rule(), parameters.truths, parameters.seed);
+      calibrate(found.simulations, scales, rule, parameters.truths, parameters.seed);
   found.predicted = predicted_values(found.simulations, found.posterior);
   return found;
 }

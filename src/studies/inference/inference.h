@@ -51,7 +51,8 @@ std::vector<bool> continuous_unknowns(const SweepDescription& sweep);
 
 /// Summarizes a posterior of simulations and checks the rule that gave it. Sizes must agree.
 Inference summarized(const SweepDescription& sweep, Simulations simulations, Posterior posterior,
-                     const std::vector<double>& scales, const InferenceParameters& parameters);
+                     const std::vector<double>& scales, const AcceptanceRule& rule,
+                     const InferenceParameters& parameters);
 
 /// The value of unknown number `unknown` at a place of its prior.
 Value value_at_place(const SweepDescription& sweep, std::size_t unknown, double place);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/core/contains.h"
 #include "base/text/value_json.h"
 #include "studies/results/results_json.h"
 #include "studies/sweep/sweep_points.h"
@@ -217,6 +218,7 @@ InferenceJson statistic_json(const Match& match, std::size_t number) {
           {"system", number_json(mean_of_column(match.system, number))},
           {"prior", number_json(mean_of_column(match.draws.statistics, number))},
           {"posterior", number_json(mean_of_column(match.fresh, number))},
+          {"explained", number_json(match.explained[number])},
           {"out_of_reach", static_cast<bool>(match.out_of_reach[number])},
           {"left_out", match.left_out[number]}};
 }
@@ -240,6 +242,7 @@ InferenceJson compared_json(const ComparedTouch& compared) {
 InferenceJson predicted_json(const Match& match, std::size_t unknown) {
   const RidgePrediction& summary = match.summaries[unknown];
   InferenceJson json = inferred_json(match.draws.sweep, match.inference, unknown);
+  json["outside"] = contains(match.outside, match.draws.sweep.sweep.unknowns[unknown].name);
   json["predicted"] = summary.of_given;
   json["error"] = summary.error;
   json["penalty"] = summary.penalty;
@@ -310,6 +313,7 @@ std::string to_json(const Match& match) {
       {"draws", match.draws.points.size()},
       {"accepted", match.inference.posterior.size()},
       {"adjusted", match.inference.posterior.is_adjusted},
+      {"not_adjusted", match.not_adjusted},
       {"inference", rule_json(match.parameters)},
       {"compared", compared_json(match.touch.compared)},
       {"explorations",

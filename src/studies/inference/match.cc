@@ -1,25 +1,22 @@
 #include "studies/inference/match.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "base/core/elementary.h"
+#include "studies/inference/match_predictors.h"
 #include "systems/signals/mean_and_spread.h"
 
 namespace somato {
 namespace {
 
 constexpr double kMostLacking = 0.1;  // share of the draws
-
-double inverse_hyperbolic_sine(double x) {
-  const double size = natural_log(std::abs(x) + std::sqrt(x * x + 1.0));
-  return x < 0.0 ? -size : size;
-}
 
 std::vector<std::size_t> all_rows(const TouchFeatures& touch) {
   std::vector<std::size_t> rows(touch.features.rows());
@@ -67,51 +64,41 @@ std::vector<std::size_t> complete_draws(const MatchDraws& draws,
   return complete;
 }
 
-bool is_spread(const Statistic& statistic) {
-  return statistic.measure.starts_with("spread") || statistic.measure.starts_with("roughness") ||
-         statistic.measure.starts_with("spectrum");
-}
-
-// In scales at the observed value; of spreads, which are not negative and may differ by powers of
-// ten, the difference of the logarithms.
-double compressed_difference(const MatchedTouch& touch, std::size_t statistic, double value) {
-  const double observed = touch.fitted[statistic];
-  const double scale = touch.scales[statistic];
-  double difference = (value - observed) / scale;
-  if (is_spread(touch.names[statistic])) {
-    const double least = 0.01 * scale;  // so that a spread of 0 has a logarithm
-    difference = natural_log((value + least) / (observed + least)) * (observed + least) / scale;
-  }
-  return inverse_hyperbolic_sine(difference);
-}
-
-// The used statistics of the complete draws, as differences from the fitted half.
-Matrix<double> predictors_of(const MatchedTouch& touch, const MatchDraws& draws,
-                             const std::vector<std::size_t>& complete,
-                             const std::vector<std::size_t>& used) {
-  Matrix<double> predictors(complete.size(), used.size());
+// The used statistics of the complete draws.
+Matrix<double> statistics_of_draws(const MatchDraws& draws,
+                                   const std::vector<std::size_t>& complete,
+                                   const std::vector<std::size_t>& used) {
+  Matrix<double> statistics(complete.size(), used.size());
   for (std::size_t i = 0; i < complete.size(); ++i) {
-    for (std::size_t c = 0; c < used.size(); ++c) {
-      predictors(i, c) =
-          compressed_difference(touch, used[c], draws.statistics(complete[i], used[c]));
-    }
+    for (std::size_t c = 0; c < used.size(); ++c)
+      statistics(i, c) = draws.statistics(complete[i], used[c]);
   }
-  return predictors;
+  return statistics;
 }
 
-// The observed differences, 0, or those of the nearest draw.
-std::vector<double> observed_predictors(const Matrix<double>& predictors) {
-  std::vector<double> observed;
-  for (std::size_t c = 0; c < predictors.columns(); ++c) {
-    double least = std::numeric_limits<double>::infinity();
-    double greatest = -least;
-    for (std::size_t i = 0; i < predictors.rows(); ++i) {
-      least = std::min(least, predictors(i, c));
-      greatest = std::max(greatest, predictors(i, c));
-    }
-    observed.push_back(std::clamp(0.0, least, greatest));
-  }
-  return observed;
+std::vector<double> selected(std::span<const double> values,
+                             const std::vector<std::size_t>& indices) {
+  std::vector<double> some;
+  some.reserve(indices.size());
+  for (const std::size_t index : indices) some.push_back(values[index]);
+  return some;
+}
+
+MatchPredictors selected(const MatchPredictors& all, const std::vector<std::size_t>& columns) {
+  MatchPredictors some{Matrix<double>(0, columns.size()), selected(all.observed, columns)};
+  for (std::size_t i = 0; i < all.of_draws.rows(); ++i)
+    std::ranges::copy(selected(all.of_draws.row(i), columns), some.of_draws.add_row().begin());
+  return some;
+}
+
+// Numbers of what draws share; nothing if all share the same, or nothing.
+std::vector<std::size_t> groups_of(const MatchDraws& draws,
+                                   const std::vector<std::size_t>& complete) {
+  std::vector<std::size_t> groups;
+  if (draws.movements.empty()) return groups;
+  for (const std::size_t draw : complete) groups.push_back(draws.movements[draw]);
+  const bool differ = std::ranges::adjacent_find(groups, std::not_equal_to{}) != groups.end();
+  return differ ? groups : std::vector<std::size_t>{};
 }
 
 Matrix<double> places_of_draws(const MatchDraws& draws, const std::vector<std::size_t>& complete) {
@@ -133,8 +120,8 @@ Observation observation_of(const std::vector<RidgePrediction>& summaries) {
 }
 
 Simulations simulations_with(Matrix<double> places, const std::vector<RidgePrediction>& summaries,
-                             std::vector<bool> is_continuous) {
-  Simulations all{std::move(places), {}, {}, std::move(is_continuous)};
+                             std::vector<bool> is_continuous, std::vector<std::size_t> groups) {
+  Simulations all{std::move(places), {}, {}, std::move(is_continuous), std::move(groups)};
   all.statistics = Matrix<double>(all.places.rows(), summaries.size());
   for (std::size_t i = 0; i < all.places.rows(); ++i) {
     for (std::size_t u = 0; u < summaries.size(); ++u)
@@ -169,33 +156,89 @@ std::vector<std::size_t> reached_statistics(const Match& match,
   return reached.empty() ? used : reached;
 }
 
+void mark_unreached(Match& match, const std::vector<std::size_t>& used,
+                    const Matrix<double>& statistics) {
+  for (std::size_t c = 0; c < used.size(); ++c) {
+    const std::vector<double> values = places_of(statistics, c);
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    const double observed = match.touch.fitted[used[c]];
+    match.out_of_reach[used[c]] = observed < *least || observed > *greatest;
+  }
+}
+
+// The reached statistics that the unknowns change.
+MatchPredictors informative_predictors(Match& match, const std::vector<std::size_t>& reached,
+                                       const std::vector<std::size_t>& complete,
+                                       const Matrix<double>& places,
+                                       std::span<const std::size_t> groups) {
+  const MatchPredictors all = places_among_draws(
+      statistics_of_draws(match.draws, complete, reached), selected(match.touch.fitted, reached));
+  const std::vector<double> shares = explained_shares(all.of_draws, places, groups);
+  std::vector<std::size_t> informative;
+  for (std::size_t c = 0; c < reached.size(); ++c) {
+    match.explained[reached[c]] = shares[c];
+    if (shares[c] >= kLeastExplained) informative.push_back(c);
+  }
+  return selected(all, informative);
+}
+
 // A regression on many statistics may predict a place beyond all draws.
-void keep_within_draws(RidgePrediction& summary) {
-  const auto [least, greatest] =
-      std::minmax_element(summary.of_rows.begin(), summary.of_rows.end());
-  summary.of_given = std::clamp(summary.of_given, *least, *greatest);
+void keep_within_draws(Match& match) {
+  for (std::size_t u = 0; u < match.summaries.size(); ++u) {
+    RidgePrediction& summary = match.summaries[u];
+    if (is_outside(summary)) match.outside.push_back(match.draws.sweep.sweep.unknowns[u].name);
+    const auto [least, greatest] =
+        std::minmax_element(summary.of_rows.begin(), summary.of_rows.end());
+    summary.of_given = std::clamp(summary.of_given, *least, *greatest);
+  }
+}
+
+double sum_of_squares(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
+// Whether the adjustment brings the posteriors of held-out draws nearer to the truth.
+bool adjustment_helps(const Match& match, const Simulations& all, const Observation& observation) {
+  const InferenceParameters& parameters = match.parameters;
+  const auto errors_with = [&](bool adjusted) {
+    const AcceptanceRule rule{parameters.accepted, adjusted, true};
+    return sum_of_squares(
+        calibrate(all, observation.scales, rule, parameters.truths, parameters.seed).errors);
+  };
+  return errors_with(true) <= errors_with(false);
+}
+
+// Why settings are not adjusted although they are to be, or nothing.
+std::string why_not_adjusted(const Match& match, const Simulations& all,
+                             const Observation& observation) {
+  if (!match.parameters.adjusted) return "";
+  if (!match.outside.empty()) {
+    return fmt::format("the recording is beyond all draws in what predicts {}",
+                       fmt::join(match.outside, ", "));
+  }
+  if (adjustment_helps(match, all, observation)) return "";
+  return "it would make the settings of draws that were held out less accurate";
 }
 
 void infer_unknowns(Match& match, const std::vector<std::size_t>& used,
                     const std::vector<std::size_t>& complete) {
   const SweepDescription& sweep = match.draws.sweep.sweep;
-  const std::vector<double> all_observed =
-      observed_predictors(predictors_of(match.touch, match.draws, complete, used));
-  for (std::size_t c = 0; c < used.size(); ++c) {
-    match.out_of_reach[used[c]] = all_observed[c] != 0.0;
-  }
-  const Matrix<double> predictors =
-      predictors_of(match.touch, match.draws, complete, reached_statistics(match, used));
-  const std::vector<double> observed = observed_predictors(predictors);
+  mark_unreached(match, used, statistics_of_draws(match.draws, complete, used));
   Matrix<double> places = places_of_draws(match.draws, complete);
-  match.summaries = ridge_predictions(predictors, places, observed);
-  for (RidgePrediction& summary : match.summaries) keep_within_draws(summary);
+  const std::vector<std::size_t> groups = groups_of(match.draws, complete);
+  const MatchPredictors predictors =
+      informative_predictors(match, reached_statistics(match, used), complete, places, groups);
+  match.summaries = predicted_places(predictors, places, groups);
+  keep_within_draws(match);
   const Observation observation = observation_of(match.summaries);
   Simulations all =
-      simulations_with(std::move(places), match.summaries, continuous_unknowns(sweep));
-  Posterior posterior = *accept_nearest(all, observation, match.parameters.rule());
-  match.inference =
-      summarized(sweep, std::move(all), std::move(posterior), observation.scales, match.parameters);
+      simulations_with(std::move(places), match.summaries, continuous_unknowns(sweep), groups);
+  match.not_adjusted = why_not_adjusted(match, all, observation);
+  const AcceptanceRule rule{match.parameters.accepted,
+                            match.parameters.adjusted && match.not_adjusted.empty(), true};
+  Posterior posterior = *accept_nearest(all, observation, rule);
+  match.inference = summarized(sweep, std::move(all), std::move(posterior), observation.scales,
+                               rule, match.parameters);
 }
 
 }  // namespace
@@ -238,6 +281,7 @@ Result<Match> match_touch(MatchedTouch touch, MatchDraws draws,
   for (std::size_t k = 0; k < match.touch.names.size(); ++k)
     match.left_out.push_back(why_left_out(match.touch, match.draws, k));
   match.out_of_reach.assign(match.left_out.size(), false);
+  match.explained.assign(match.left_out.size(), std::numeric_limits<double>::quiet_NaN());
   const std::vector<std::size_t> used = used_statistics(match.left_out);
   const std::vector<std::size_t> complete = complete_draws(match.draws, used);
   SOMATO_TRY_VOID(check_usable(match, used, complete));

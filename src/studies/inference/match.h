@@ -48,6 +48,9 @@ struct MatchDraws {
   SystemSweep sweep;
   std::vector<SweepPoint> points;
   Matrix<double> statistics;  ///< One row for each point.
+  /// For each point, the number of the movements whose sensors it plays; empty: each point has its
+  /// own movements.
+  std::vector<std::size_t> movements;
 };
 
 /// Settings of a body that agree with a recording.
@@ -57,6 +60,11 @@ struct Match {
   InferenceParameters parameters;
   std::vector<std::string> left_out;  ///< For each statistic: why it is not used, or nothing.
   std::vector<bool> out_of_reach;     ///< Whether no draw is at the observed value or beyond it.
+  /// For each statistic: the share of its variance that the unknowns explain, see
+  /// explained_shares(); NaN if it is not used.
+  std::vector<double> explained;
+  std::vector<std::string> outside;  ///< Unknowns whose prediction is_outside() of the draws'.
+  std::string not_adjusted;  ///< Why settings are not adjusted as the rule requires; or empty.
   std::vector<RidgePrediction>
       summaries;                        ///< One for each unknown: the statistic of its inference.
   Inference inference;                  ///< The inference from draws with all used statistics.
@@ -67,13 +75,18 @@ struct Match {
   std::vector<SweepPoint> bodies;  ///< These settings.
 };
 
-/// Infers the unknowns from the statistics of the fitted half: they are compared as asinh((s - r) /
-/// scale), of spreads with the difference of logarithms, and each unknown is predicted from them by
-/// a ridge regression. The predictions, of each draw by the other draws, are the statistics of the
-/// acceptance; their errors are its scales. Statistics that no draw reaches have no part, unless
-/// no other remains (the nearest value of a draw then counts as observed), and predictions are kept
-/// within those of the draws. Statistics without a scale and those that a tenth of the draws lacks
-/// have no part; draws that lack others neither.
+/// Infers the unknowns from the statistics of the fitted half. Statistics enter as places among
+/// those of the draws (places_among_draws()). Those that the unknowns change (kLeastExplained)
+/// predict each unknown by a ridge regression, of which draws with the same movements are left out
+/// together. The predictions, of each draw by draws with other movements, are the statistics of the
+/// acceptance; their errors are its scales. Accepted settings are adjusted by the differences of
+/// their predictions from the observed ones, unless a prediction is outside of those of the draws,
+/// or settings of draws that are held out become less accurate by it.
+///
+/// Statistics that no draw reaches have no part, unless no other remains (the nearest value of a
+/// draw then counts as observed), and predictions are kept within those of the draws. Statistics
+/// without a scale and those that a tenth of the draws lacks have no part; draws that lack others
+/// neither.
 ///
 /// Errors (kData): no statistic that can be used, fewer than three draws. Source: P. Fearnhead, D.
 /// Prangle, "Constructing summary statistics for approximate Bayesian computation", J. R. Stat.

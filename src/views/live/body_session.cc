@@ -30,7 +30,7 @@ BodySession::BodySession(Stage& stage, Naming& naming, const ViewSettings& setti
       plan_(std::move(stage.source.plan), stage.source.demonstrates, stage.source.thing),
       body_(queue, {[this](const auto& body, const auto& scene) { grow(body, scene); },
                     [this](BodyStep step) { coming_ = std::move(step); },
-                    [this](auto explored) { finish(std::move(explored)); }}) {}
+                    [this](auto explored) { finish(std::move(explored)); }, settings.on_thread}) {}
 
 Result<void> BodySession::choose_thing(const std::string& name) {
   if (!stage_.source.explorer) return not_now("the object of a recording cannot be changed");

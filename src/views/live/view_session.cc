@@ -28,7 +28,8 @@ class ViewSession::Impl {
  public:
   Impl(ViewSource source, const ViewSettings& settings)
       : player_(std::move(source), settings, hub_, queue_),
-        training_(hub_, std::chrono::duration<double>(settings.training_pause)) {
+        training_(hub_, std::chrono::duration<double>(settings.training_pause)),
+        on_thread_(settings.on_thread) {
     hub_.on_change([this] {
       queue_.post([this] {
         player_.on_viewers(hub_.viewers());
@@ -41,7 +42,10 @@ class ViewSession::Impl {
   void start() {
     player_.begin();
     prepare();
-    thread_ = std::thread([this] { player_.run(); });
+    thread_ = std::thread([this] {
+      if (on_thread_) on_thread_();
+      player_.run();
+    });
   }
 
   void stop() {
@@ -62,6 +66,8 @@ class ViewSession::Impl {
       return handled;
     });
   }
+
+  bool post(std::function<void()> task) { return queue_.post(std::move(task)); }
 
   // Long computations run in the calling thread.
   Result<std::string> neuron(const std::string& map, std::size_t neuron) {
@@ -243,6 +249,7 @@ class ViewSession::Impl {
   std::weak_ptr<const Recording> explored_;    // while it is used: it is a copy
   std::size_t explored_end_ = 0;               // the index after its last exploration
   std::shared_ptr<const Recording> prepared_;  // explored before the view
+  std::function<void()> on_thread_;
   std::thread thread_;
 };
 
@@ -275,6 +282,10 @@ Losses ViewSession::losses() const {
 
 Result<void> ViewSession::command(std::string_view json) {
   return impl_->command(json);
+}
+
+bool ViewSession::post(std::function<void()> task) {
+  return impl_->post(std::move(task));
 }
 
 Result<std::string> ViewSession::state() {

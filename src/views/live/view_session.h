@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -46,6 +47,10 @@ class ViewSession {
   /// Does what a command in JSON says. From any thread. Errors: kUsage for no such command, or one
   /// that cannot be done now; kSystem if the change was made, but its file cannot be written.
   Result<void> command(std::string_view json);
+
+  /// Has the thread of the session do a task when it is free; the task must not throw. From any
+  /// thread. Returns whether it will be done: not if the session is about to end.
+  bool post(std::function<void()> task);
 
   /// The state in JSON as it is now. From any thread. Errors (kUsage): the view is busy or about to
   /// end.

@@ -26,6 +26,7 @@ void BodyThread::start(Explorer& explorer, std::size_t thing, std::size_t trial,
       });
   explored_ = explore.get_future();
   thread_ = std::thread([this, explore = std::move(explore)]() mutable {
+    if (events_.on_thread) events_.on_thread();
     explore();
     queue_.post([this] { end(); });
   });

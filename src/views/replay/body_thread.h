@@ -25,11 +25,12 @@ struct BodyStep {
 /// pauses it by not calling that.
 class BodyThread {
  public:
-  /// Called by the thread of the queue, in the order in which it happens.
+  /// Called by the thread of the queue, in the order in which it happens, except `on_thread`.
   struct Events {
     std::function<void(const BodyDescription& body, const Scene& scene)> on_begin;
     std::function<void(BodyStep step)> on_step;
     std::function<void(std::future<Result<Exploration>> explored)> on_end;
+    std::function<void()> on_thread = {};  ///< Called by the body's thread at its begin; or empty.
   };
 
   BodyThread(TaskQueue& queue, Events events) : queue_(queue), events_(std::move(events)) {}

@@ -98,6 +98,9 @@ struct ViewSettings {
   bool has_page = true;
   /// The most memory of the explorations that a body made and that are kept, in bytes.
   std::size_t memory = kPageMemory;
+  /// Called once in each thread that reads the body or computes what is read, before it begins,
+  /// such as to give it a priority; may be empty.
+  std::function<void()> on_thread = {};
 };
 
 }  // namespace somato

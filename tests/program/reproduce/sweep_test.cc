@@ -130,6 +130,7 @@ TEST_F(Sweep, InfersSettingsFromObservedValues) {
   for (const auto& draw : draws) {
     for (const auto& recording : draw["recordings"]) {
       EXPECT_FALSE(fs::exists(path("out/fresh/recordings/" + recording.get<std::string>())));
+      EXPECT_FALSE(fs::exists(path("out/recordings/" + recording.get<std::string>())));
     }
   }
   const std::string body = read("out/bodies/02/other.toml");

@@ -20,7 +20,8 @@ Simulations line_of(const std::vector<double>& statistics) {
   Simulations all{Matrix<double>(statistics.size(), 1),
                   Matrix<double>(statistics.size(), 1, statistics),
                   {},
-                  {true}};
+                  {true},
+                  {}};
   for (std::size_t i = 0; i < statistics.size(); ++i) {
     all.places(i, 0) = (static_cast<double>(i) + 0.5) / static_cast<double>(statistics.size());
     all.draw.push_back(i);
@@ -57,6 +58,35 @@ TEST(Acceptance, TakesAllAtTheSameDistance) {
   const auto all = accept_nearest(line_of({7, 7, 7}), {{0.0}, {1.0}}, {1.0, true});
   EXPECT_EQ(all->size(), 3U);
   EXPECT_NEAR(all->places(0, 0), 0.5 / 3, 1e-12) << "a constant statistic adjusts nothing";
+}
+
+// Of predictions 0.1 below the places, and 0.1 above: places of 0.7 and of 0.9 remain where 0.8 is
+// predicted; the last one leaves the prior.
+TEST(Acceptance, PredictionsAdjustByTheirDifferences) {
+  Simulations all = line_of({0.0, 0.35, 0.5, 0.6});
+  all.places = Matrix<double>(4, 1, {0.1, 0.25, 0.6, 0.95});
+  const AcceptanceRule rule{1.0, true, true};
+  const auto found = accept_nearest(all, {{0.8}, {0.1}}, rule);
+  ASSERT_EQ(found->size(), 4U);
+  EXPECT_TRUE(found->is_adjusted) << "few simulations are sufficient";
+  EXPECT_NEAR(found->places(0, 0), 0.9, 1e-12);
+  EXPECT_NEAR(found->places(1, 0), 0.7, 1e-12);
+  EXPECT_NEAR(found->places(2, 0), 0.9, 1e-12);
+  EXPECT_EQ(found->places(3, 0), 1.0);
+  EXPECT_EQ(accept_nearest(all, {{0.8}, {0.1}}, {1.0, false, true})->places(0, 0), 0.1);
+  all.is_continuous = {false};
+  EXPECT_EQ(accept_nearest(all, {{0.8}, {0.1}}, rule)->places(0, 0), 0.1);
+  all.statistics = Matrix<double>(4, 2);
+  EXPECT_THROW((void)accept_nearest(all, {{0.8, 0.8}, {0.1, 0.1}}, rule), InvalidArgument);
+}
+
+TEST(Acceptance, AGroupIsLeftOutTogether) {
+  Simulations all = line_of({0, 1, 2, 3});
+  all.group = {7, 7, 8, 8};
+  const auto posterior = accept_nearest(all, {{0.0}, {1.0}}, {0.5, false}, 7);
+  EXPECT_EQ(posterior->simulations, std::vector<std::size_t>{2}) << "half of the other two";
+  all.group = {7};
+  EXPECT_THROW((void)accept_nearest(all, {{0.0}, {1.0}}, {0.5, false}), InvalidArgument);
 }
 
 TEST(Acceptance, FewSimulationsAreNotAdjusted) {

@@ -35,11 +35,13 @@ TEST(Calibration, UsesOneSimulationOfADrawAndNotTheOthersOfIt) {
   Simulations all{Matrix<double>(4, 1, {0.25, 0.25, 0.75, 0.75}),
                   Matrix<double>(4, 1, {1, 1, 1, 1}),
                   {0, 0, 1, 1},
-                  {true}};
+                  {true},
+                  {}};
   const Calibration found = calibrate(all, {1.0}, {1.0, false}, 10, 1);
   ASSERT_EQ(found.ranks.rows(), 2U);
   EXPECT_DOUBLE_EQ(found.ranks(0, 0) + found.ranks(1, 0), 1.0);
   EXPECT_EQ(std::abs(found.ranks(0, 0) - found.ranks(1, 0)), 1.0);
+  EXPECT_DOUBLE_EQ(found.errors[0], 0.5) << "0.25 for 0.75, and the opposite";
   all.statistics(0, 0) = std::numeric_limits<double>::quiet_NaN();
   all.statistics(1, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(calibrate(all, {1.0}, {1.0, false}, 10, 1).ranks.rows(), 0U);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "somato/core/random.h"
 #include "studies/inference/inference_results.h"
+#include "studies/inference/match_predictors.h"
 #include "studies/inference/touches.h"
 #include "studies/sweep/sweep_points.h"
 
@@ -46,7 +48,7 @@ Matrix<double> simulated_at(const MatchedTouch& touch, const std::vector<SweepPo
 
 Result<Match> matched(const Recording& real, std::size_t points,
                       const InferenceParameters& parameters = {.accepted = 0.2}) {
-  MatchDraws draws{unknown_body(points), {}, {}};
+  MatchDraws draws{unknown_body(points), {}, {}, {}};
   draws.points = sweep_points(draws.sweep.sweep);
   SOMATO_TRY(auto touch, matched_touch(real, synthetic_recording({}, 2, 2, 5), {}));
   draws.statistics = simulated_at(touch, draws.points, 100);
@@ -112,6 +114,99 @@ TEST(Match, SaysWhatNoDrawReaches) {
   EXPECT_TRUE(match.out_of_reach[0]) << "the mean";
   EXPECT_GT(match.inference.unknowns[0].shrinkage(), 0.5) << "nothing else says the level";
   EXPECT_NEAR(number_at(match, 1, match.inference.unknowns[1].posterior.median), 0.2, 0.15);
+}
+
+// A match of two statistics that are given by the places of level and noise, and others.
+class GivenStatistics {
+ public:
+  explicit GivenStatistics(std::size_t points) : draws_{unknown_body(points), {}, {}, {}} {
+    draws_.points = sweep_points(draws_.sweep.sweep);
+    draws_.statistics = Matrix<double>(points, 0);
+  }
+
+  template <typename Values>
+  void add(double fitted, const Values& values) {
+    touch_.names.push_back({"touch", "statistic " + std::to_string(touch_.names.size()), ""});
+    touch_.fitted.push_back(fitted);
+    touch_.held_out.push_back(fitted);
+    touch_.scales.push_back(1.0);
+    Matrix<double> wider(draws_.points.size(), touch_.names.size());
+    for (std::size_t i = 0; i < wider.rows(); ++i) {
+      std::ranges::copy(draws_.statistics.row(i), wider.row(i).begin());
+      const auto places = places_in_prior(draws_.sweep.sweep, draws_.points[i]);
+      wider(i, touch_.names.size() - 1) = values(i, places[0], places[1]);
+    }
+    draws_.statistics = std::move(wider);
+  }
+
+  void play_movements(std::size_t count) {
+    for (std::size_t i = 0; i < draws_.points.size(); ++i)
+      draws_.movements.push_back(i * count / draws_.points.size());
+  }
+
+  Match match(bool adjusted = true) const {
+    return match_touch(touch_, draws_, {.accepted = 0.2, .adjusted = adjusted}).value();
+  }
+
+ private:
+  MatchedTouch touch_;
+  MatchDraws draws_;
+};
+
+void add_sum_and_difference(GivenStatistics& given, double level, double noise) {
+  given.add(level + noise, [](std::size_t, double a, double b) { return a + b; });
+  given.add(level - noise, [](std::size_t, double a, double b) { return a - b; });
+}
+
+TEST(Match, IsNotChangedByStatisticsThatTheUnknownsDoNotChange) {
+  GivenStatistics given(128);
+  given.play_movements(4);
+  add_sum_and_difference(given, 0.3, 0.6);
+  const Match before = given.match();
+  Random random(5);
+  for (int k = 0; k < 300; ++k) {
+    // Of movements and noise, in units of 1000, and of one movement and noise.
+    std::vector<double> effects;
+    for (int m = 0; m < 4; ++m) effects.push_back(1000.0 * random.normal());
+    given.add(effects[static_cast<std::size_t>(k) % 4],
+              [&](std::size_t i, double, double) { return effects[i / 32] + random.normal(); });
+  }
+  const Match after = given.match();
+  for (std::size_t k = 2; k < after.explained.size(); ++k)
+    EXPECT_LT(after.explained[k], kLeastExplained);
+  EXPECT_EQ(after.inference.posterior.simulations, before.inference.posterior.simulations);
+  EXPECT_EQ(after.inference.posterior.places, before.inference.posterior.places);
+  EXPECT_NEAR(after.inference.unknowns[0].posterior.mean, 0.3, 0.05);
+  EXPECT_NEAR(after.inference.unknowns[1].posterior.mean, 0.6, 0.05);
+}
+
+// The level at the place 1.4 of its prior gives values that some draws reach, each by itself.
+TEST(Match, ReportsAnObservationOutsideOfTheDraws) {
+  GivenStatistics given(128);
+  add_sum_and_difference(given, 1.4, 0.5);
+  const Match match = given.match();
+  EXPECT_FALSE(match.out_of_reach[0] || match.out_of_reach[1]);
+  EXPECT_EQ(match.outside, std::vector<std::string>{"level"});
+  EXPECT_NE(match.not_adjusted.find("beyond all draws in what predicts level"), std::string::npos);
+  EXPECT_FALSE(match.inference.posterior.is_adjusted);
+  const auto json = nlohmann::json::parse(to_json(match));
+  EXPECT_EQ(json["adjusted"], false);
+  EXPECT_EQ(json["not_adjusted"], match.not_adjusted);
+  EXPECT_EQ(json["unknowns"][0]["outside"], true);
+  EXPECT_EQ(json["unknowns"][1]["outside"], false);
+  const Match not_wanted = given.match(false);
+  EXPECT_EQ(not_wanted.not_adjusted, "");
+  EXPECT_FALSE(not_wanted.inference.posterior.is_adjusted);
+}
+
+TEST(Match, KeepsThePriorWithoutInformation) {
+  GivenStatistics given(64);
+  Random random(6);
+  for (int k = 0; k < 3; ++k)
+    given.add(0.0, [&](std::size_t, double, double) { return random.normal(); });
+  const Match match = given.match();
+  EXPECT_EQ(match.inference.posterior.size(), 64U) << "all draws are at the same distance";
+  EXPECT_EQ(match.inference.unknowns[0].shrinkage(), 1.0);
 }
 
 TEST(Match, LeavesOutStatisticsThatCannotBeCompared) {

@@ -111,6 +111,25 @@ TEST(RidgePredictions, AreThoseOfRegressionsWithoutEachRow) {
   }
 }
 
+TEST(RidgePredictions, AreThoseOfRegressionsWithoutTheGroup) {
+  const Matrix<double> x = normal_numbers(12, 20, 1);
+  Matrix<double> y = normal_numbers(12, 1, 2);
+  for (std::size_t i = 0; i < 12; ++i) y(i, 0) += 3.0 * x(i, 1);
+  const std::vector<std::size_t> groups{4, 4, 9, 9, 9, 0, 0, 0, 0, 4, 4, 9};
+  const RidgePrediction found = ridge_predictions(x, y, std::vector(20, 4.0), groups)[0];
+  for (std::size_t i = 0; i < 12; ++i) {
+    std::vector<std::size_t> others;
+    for (std::size_t k = 0; k < 12; ++k) {
+      if (groups[k] != groups[i]) others.push_back(k);
+    }
+    const double expected =
+        plain_prediction(x, y, others, found.penalty, {x.row(i).begin(), x.row(i).end()});
+    EXPECT_NEAR(found.of_rows[i], expected, 1e-6);
+  }
+  const std::vector<std::size_t> one_group(12, 3);
+  EXPECT_THROW(ridge_predictions(x, y, std::vector(20, 4.0), one_group), InvalidArgument);
+}
+
 TEST(RidgePredictions, AreMeansOfTheOthersWithoutInformation) {
   const Matrix<double> constant(5, 2, 3.0);
   Matrix<double> y(5, 1);

@@ -13,7 +13,7 @@ namespace somato::test {
 inline Simulations of_normal_mean(std::size_t draws, std::size_t simulations, std::uint64_t seed) {
   Random random(seed);
   const std::size_t count = draws * simulations;
-  Simulations all{Matrix<double>(count, 2), Matrix<double>(count, 1), {}, {true, true}};
+  Simulations all{Matrix<double>(count, 2), Matrix<double>(count, 1), {}, {true, true}, {}};
   for (std::size_t draw = 0; draw < draws; ++draw) {
     const double place = random.uniform();
     const double other = random.uniform();

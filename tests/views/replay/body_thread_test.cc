@@ -5,6 +5,8 @@
 #include <chrono>
 #include <limits>
 #include <optional>
+#include <thread>
+#include <vector>
 
 #include "views/replay/fake_explorer.h"
 
@@ -30,11 +32,13 @@ class BodyThreadTest : public ::testing::Test {
   std::vector<std::string> bodies_;
   std::vector<BodyStep> steps_;
   std::optional<Result<Exploration>> explored_;
+  std::vector<std::thread::id> threads_;  // That were prepared, before their first step.
   BodyThread body_{
       queue_,
       {[this](const BodyDescription& body, const Scene&) { bodies_.push_back(body.name); },
        [this](BodyStep step) { steps_.push_back(std::move(step)); },
-       [this](auto explored) { explored_ = explored.get(); }}};
+       [this](auto explored) { explored_ = explored.get(); },
+       [this] { threads_.push_back(std::this_thread::get_id()); }}};
 };
 
 TEST_F(BodyThreadTest, WaitsAfterEachStepUntilItMayGoOn) {
@@ -53,6 +57,13 @@ TEST_F(BodyThreadTest, WaitsAfterEachStepUntilItMayGoOn) {
   EXPECT_EQ(steps_[1].poses.at(0).position[0], 1.0);
   EXPECT_EQ(explored_->value().labels[0].value, "cube");
   EXPECT_EQ(explored_->value().channels[2].frames.row(0)[1], steps_[1].state.readings[2](0, 1));
+}
+
+TEST_F(BodyThreadTest, TheThreadOfAnExplorationIsPreparedOnceBeforeItsFirstStep) {
+  body_.start(explorer_, 0, 0, {}, kNoLimit);
+  ASSERT_TRUE(wait_until([&] { return steps_.size() == 1; }));
+  ASSERT_EQ(threads_.size(), 1U);
+  EXPECT_NE(threads_.front(), std::this_thread::get_id());
 }
 
 TEST_F(BodyThreadTest, EndsSoonWhenItIsStopped) {

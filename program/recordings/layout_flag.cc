@@ -1,4 +1,4 @@
-#include "flags/layout_flag.h"
+#include "recordings/layout_flag.h"
 
 #include "views/skins/layout_file.h"
 
