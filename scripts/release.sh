@@ -61,7 +61,9 @@ make_packages() {
   rm -rf "$2"
   if is_here "$1"; then
     SUFFIX=${cross:+$architecture} DEB_HOST_ARCH=$architecture \
-      scripts/pack.sh "$2" ${cross:+"-DCMAKE_TOOLCHAIN_FILE=$cross"}
+      scripts/pack.sh "$2" ${cross:+"-DCMAKE_TOOLCHAIN_FILE=$cross"} || return
+    # The interface of 1.0 in abi/ is that of amd64 (docs/stability.md).
+    if [[ $architecture == amd64 ]]; then scripts/check_abi.py build/package/src/libsomato.so.1; fi
     return
   fi
   bare_system "${codenames[$1]}" "$root" git &&
