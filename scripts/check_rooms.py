@@ -33,6 +33,7 @@ LARGE_FOLDERS = {
     "bench": "benchmarks, one file each, with the programs that run and compare them",
     "bench/peers": "one program for each other package and task",
     "scripts": "./dev, the workflows and the documentation name each script by its path",
+    "tests/house": "one file of tests for each of these scripts",
 }
 
 
