@@ -98,7 +98,7 @@ follow_readme() {
   local root=$1 python=()
   git clone --quiet . "$root/somato" &&
     apt_install "$root" python3 python3-venv &&
-    if [[ -d $out/wheel ]]; then
+    if compgen -G "$out/wheel/*.whl"; then
       cp -r "$out/wheel" "$root/wheel" &&
         inside "$root" python3 -m venv /venv &&
         inside "$root" bash -c '/venv/bin/pip install /wheel/*.whl' || return 1
