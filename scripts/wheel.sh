@@ -30,7 +30,7 @@ winners = som.predict(X)
 distances = ((X[:, None, :] - som.weights_.reshape(20, 3)) ** 2).sum(axis=2)
 assert (distances.argmin(axis=1) == winners).mean() > 0.99
 subprocess.run(["somato", "--version"], check=True)
-subprocess.run(["somato", "explore", "--body", "lucs2", "--object", "boule", "--explorations", "1", "-o", "x.mcap"],
+subprocess.run(["somato", "explore", "--body", "hardness", "--explorations", "1", "-o", "x.mcap"],
                check=True)
 PYTHON
 # python_of VERSION: its interpreter, or nothing.
