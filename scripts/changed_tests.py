@@ -33,6 +33,7 @@ REACHED = [
     (r"scripts/make_(synthetic_\w+)\.py", [r"examples.\1_reproducible"]),
     (r"examples/(synthetic_\w+)/.*", [r"examples.\1_reproducible", "recordings"]),
     (r"(?:scripts|bench)/.*\.(?:py|sh|in|txt)", ["house"]),
+    (r"packaging/.*", ["house"]),
     (r"bench/guard.*", ["bench"]),
     (r"fuzz/(\w+)_fuzz\.cc", [r"fuzz.\1_replay"]),
     (r"fuzz/corpus/(\w+)/.*", [r"fuzz.\1_replay"]),

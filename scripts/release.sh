@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Makes every artefact of a release, and checks each in a fresh system without a compiler (docs/packages.md):
-#   release.sh [--cache FOLDER] [--out FOLDER] [--cross FILE] [--no-wheel] [RELEASES [ARCHITECTURE]]
+#   release.sh [--cache FOLDER] [--out FOLDER] [--cross FILE] [--no-wheel] [--made] [RELEASES [ARCHITECTURE]]
 #   release.sh 12 arm64 --cross FILE    # options may also stand first
 # By default for Debian 12 and 13 and the architecture of this machine, in out/release. Packages for the release of this
 # machine are built here, in build/package; others in a fresh system with a compiler. --cross FILE is a toolchain file of
-# CMake for another ARCHITECTURE, with which they are built here; checks then require qemu-user-static. --cache keeps the
+# CMake for another ARCHITECTURE, with which they are built here; checks then require qemu-user-static. --made only checks packages that an earlier call has made. --cache keeps the
 # results of compilers of the fresh systems in FOLDER. Requires root and, without a cache, half an hour a release on two
 # cores. The logs and the table of artefacts, artefacts.md, are in the same folder.
 set -euo pipefail
@@ -16,15 +16,16 @@ complain() {
   echo "release: $*" >&2
 }
 
-cache='' out=$PWD/out/release cross='' without_wheel='' words=()
+cache='' out=$PWD/out/release cross='' without_wheel='' made='' words=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --cache) mkdir -p "${2:?--cache requires a folder}" && cache=$(realpath "$2") && shift 2 ;;
     --out) out=$(realpath -m "${2:?--out requires a folder}") && shift 2 ;;
     --cross) cross=$(realpath "${2:?--cross requires a file}") && shift 2 ;;
     --no-wheel) without_wheel=yes && shift ;;
+    --made) made=yes && shift ;;
     -h | --help) sed -n '2,/^set /s/^# //p' "$0" && exit ;;
-    --*) complain "unknown option '$1'; there are --cache, --out, --cross and --no-wheel" && exit 2 ;;
+    --*) complain "unknown option '$1'; there are --cache, --out, --cross, --no-wheel and --made" && exit 2 ;;
     *) words+=("$1") && shift ;;
   esac
 done
@@ -58,6 +59,7 @@ is_here() {
 # make_packages RELEASE FOLDER
 make_packages() {
   local root=$work/build-$1
+  [[ -z $made || ! -d $2 ]] || return 0
   rm -rf "$2"
   if is_here "$1"; then
     SUFFIX=${cross:+$architecture} DEB_HOST_ARCH=$architecture \
@@ -98,7 +100,7 @@ follow_readme() {
   local root=$1 python=()
   git clone --quiet . "$root/somato" &&
     apt_install "$root" python3 python3-venv &&
-    if [[ -d $out/wheel ]]; then
+    if compgen -G "$out/wheel/*.whl"; then
       cp -r "$out/wheel" "$root/wheel" &&
         inside "$root" python3 -m venv /venv &&
         inside "$root" bash -c '/venv/bin/pip install /wheel/*.whl' || return 1

@@ -2,7 +2,7 @@
 # Builds the wheel of the Python package into FOLDER: wheel.sh FOLDER
 # One wheel serves Python 3.10 and all later ones (the stable interface), and every Linux with a C library as new as that
 # of this machine: it contains all other libraries. It is installed and used with each Python from 3.10 to 3.13 that is
-# on the path. The output has the lines 'needs ...' and 'passed with Python ...', which release.sh reads.
+# on the path or was installed by pyenv. The output has the lines 'needs ...' and 'passed with Python ...', which release.sh reads.
 set -euo pipefail
 folder=$(realpath -m "${1:?wheel.sh requires a folder for the wheel}")
 cd "$(dirname "$0")/.."
@@ -30,16 +30,28 @@ winners = som.predict(X)
 distances = ((X[:, None, :] - som.weights_.reshape(20, 3)) ** 2).sum(axis=2)
 assert (distances.argmin(axis=1) == winners).mean() > 0.99
 subprocess.run(["somato", "--version"], check=True)
-subprocess.run(["somato", "explore", "--body", "lucs2", "--object", "boule", "--explorations", "1", "-o", "x.mcap"],
+subprocess.run(["somato", "explore", "--body", "hardness", "--explorations", "1", "-o", "x.mcap"],
                check=True)
 PYTHON
+# python_of VERSION: its interpreter, or nothing.
+python_of() {
+  local candidate
+  for candidate in "python$1" "${PYENV_ROOT:-$HOME/.pyenv}"/versions/"$1".*/bin/python3; do
+    if "$candidate" -c 'import ensurepip' 2>/dev/null; then
+      echo "$candidate"
+      return
+    fi
+  done
+}
+
 passed=()
 for version in 3.10 3.11 3.12 3.13; do
-  if ! "python$version" -c '' 2>/dev/null; then
-    echo "Python $version is not on the path: not tested"
+  python=$(python_of "$version")
+  if [[ -z $python ]]; then
+    echo "Python $version is not on this machine: not tested"
     continue
   fi
-  "python$version" -m venv "$work/$version"
+  "$python" -m venv "$work/$version"
   "$work/$version/bin/pip" install --quiet "$folder"/*.whl
   (cd "$work" && PATH=$work/$version/bin:$PATH "$work/$version/bin/python" use.py)
   passed+=("$version")

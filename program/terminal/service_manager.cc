@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 namespace somato::program {
 namespace {
@@ -60,7 +61,7 @@ bool send(const std::string& to, const std::string& message) {
   const int reason = errno;
   close(handle);
   errno = reason;
-  return sent == static_cast<ssize_t>(message.size());
+  return std::cmp_equal(sent, message.size());
 }
 
 }  // namespace

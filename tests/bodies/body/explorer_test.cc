@@ -43,6 +43,10 @@ TEST(Explorer, NamesItsSourceAndTheThingThatFailed) {
   EXPECT_THROW((void)explorer.explore(2, 0), InvalidArgument);
 }
 
+TEST(Explorer, LabelsAThingOfWhichOnlyTheNameIsKnown) {
+  EXPECT_EQ(TwoSteps().labels(1, 2), (std::vector<Label>{{"object", "soap"}, {"trial", "3"}}));
+}
+
 // A class that says nothing else is a real body.
 TEST(Explorer, MovesARealBodyUnlessItsTypeIsSimulated) {
   class Simulated : public SimulatedExplorer {
