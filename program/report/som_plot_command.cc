@@ -6,10 +6,10 @@
 
 #include "base/text/text.h"
 #include "flags/commands.h"
-#include "recordings/layout_flag.h"
 #include "flags/memory_flag.h"
 #include "flags/neuron_flag.h"
 #include "maps/pictures/map_panels.h"
+#include "recordings/layout_flag.h"
 #include "report/picture_file.h"
 #include "report/plot_panels.h"
 #include "som/column_report.h"
