@@ -14,8 +14,8 @@ find_package_handle_standard_args(MuJoCo
   REQUIRED_VARS MuJoCo_LIBRARY MuJoCo_INCLUDE_DIR
   VERSION_VAR MuJoCo_VERSION
   REASON_FAILURE_MESSAGE "the physics engine is missing. Either run 'scripts/setup.sh build', which \
-fetches it, or give the folder of a MuJoCo of your own by -DMUJOCO_ROOT=FOLDER, or build the library \
-without simulated bodies by -DSOMATO_BUILD_SIMULATION=OFF -DSOMATO_BUILD_PROGRAM=OFF")
+fetches it, or give the folder of a MuJoCo of your own by -DMUJOCO_ROOT=FOLDER, or build \
+without simulated bodies by -DSOMATO_BUILD_SIMULATION=OFF")
 if(MuJoCo_FOUND AND NOT TARGET mujoco::mujoco)
   file(REAL_PATH "${MuJoCo_LIBRARY}" MuJoCo_FILE)
   add_library(mujoco::mujoco SHARED IMPORTED)

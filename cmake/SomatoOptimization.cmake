@@ -9,15 +9,6 @@ if(SOMATO_BUILD_FOR_TESTS)
   list(APPEND SOMATO_OPTIMIZATION_OF_OTHERS $<$<NOT:$<CONFIG:Release>>:-O0>)
 endif()
 
-# In the profile for robots they are as small as the compiler can make them; the wings with long loops have -Os.
-if(SOMATO_PROFILE STREQUAL "robot")
-  include(CheckCXXCompilerFlag)
-  check_cxx_compiler_flag(-Oz SOMATO_HAS_OZ)
-  if(SOMATO_HAS_OZ)
-    list(APPEND SOMATO_OPTIMIZATION_OF_OTHERS $<$<CONFIG:MinSizeRel>:-Oz>)
-  endif()
-endif()
-
 # g++ 14 refuses precompiled headers that are optimized unlike their users: somato_headers serves
 # the code that is optimized little, somato_optimized_headers the wings with long loops.
 

@@ -9,15 +9,15 @@ if(SOMATO_PROFILE STREQUAL "robot")
   if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE MinSizeRel CACHE STRING "That of the profile robot" FORCE)
   endif()
+  add_compile_options(-ffunction-sections -fdata-sections)
 elseif(NOT SOMATO_PROFILE STREQUAL "")
   message(FATAL_ERROR "SOMATO_PROFILE=${SOMATO_PROFILE} is unknown: use robot, or leave it empty")
 endif()
 
-# somato_make_small(): options by which a program of the profile is small. The linker drops functions that no command
-# uses, and keeps one of several equal ones.
+# somato_make_small(): options by which the linker drops functions that no command uses, and keeps one of several equal
+# ones.
 function(somato_make_small)
   include(CheckLinkerFlag)
-  add_compile_options(-ffunction-sections -fdata-sections)
   add_link_options(-Wl,--gc-sections -Wl,--as-needed)
   if(SOMATO_HAS_LLD)
     add_link_options(-Wl,--icf=safe)

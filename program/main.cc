@@ -1,3 +1,6 @@
+#include <utility>
+#include <vector>
+
 #include "flags/commands.h"
 #include "flags/completion.h"
 #include "terminal/terminal.h"

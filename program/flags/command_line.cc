@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <optional>
 #include <system_error>
 
 #include "base/kernels/instruction_set.h"
@@ -207,11 +208,7 @@ Error unknown_flag(const CLI::App& app, const std::string& flag) {
 Error unexpected_argument(const CLI::App& app, const std::string& argument) {
   if (argument.starts_with("-")) return unknown_flag(app, argument.substr(0, argument.find('=')));
   const std::vector<std::string> commands = names_of_subcommands(app);
-  const std::string before = words_of(app);
-  if (auto error = left_out_command(before.empty() ? argument : before + " " + argument)) {
-    return *error;
-  }
-  if (!commands.empty()) return unknown_name("command", argument, before, commands);
+  if (!commands.empty()) return unknown_name("command", argument, words_of(app), commands);
   return {ErrorKind::kUsage, fmt::format("unexpected argument '{}'", argument), words_of(app),
           see_help(app)};
 }
@@ -233,11 +230,20 @@ Error wrong_values(const CLI::App& app, const CLI::ParseError& error) {
   return {wrong.kind, wrong.what, wrong.where, see_help(app)};
 }
 
+// The first words that were no command, with the group before them, may be one of another build.
+std::optional<Error> of_another_build(const CLI::App& app, const std::vector<std::string>& left) {
+  const std::string before = words_of(app);
+  const std::string first = before.empty() ? left.front() : before + " " + left.front();
+  if (auto error = left_out_command(first)) return error;
+  return left.size() > 1 ? left_out_command(first + " " + left[1]) : std::nullopt;
+}
+
 int report_parse_error(const CLI::App& root, const CLI::ParseError& error) {
   const CLI::App& app = innermost(root);
   const std::vector<std::string> left = root.remaining(true);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return report(wrong_values(app, error));
-  return report(left.empty() ? missing(app, error) : unexpected_argument(app, left.front()));
+  if (left.empty()) return report(missing(app, error));
+  return report(of_another_build(app, left).value_or(unexpected_argument(app, left.front())));
 }
 
 std::string text_of_group(const std::string& group) {

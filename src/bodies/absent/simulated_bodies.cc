@@ -41,7 +41,7 @@ Result<std::unique_ptr<Body>> simulated_body(ExploringBody /*body*/, const Objec
   return no_simulation();
 }
 
-// No scene is found.
+// No scene is found. NOLINTNEXTLINE(performance-unnecessary-value-param): the declared signature
 SceneFinder recorded_scenes(std::vector<Object> /*own*/) {
   return {};
 }
