@@ -34,7 +34,11 @@ while [[ ${1:-} == --* ]]; do
   esac
 done
 cross=''
-[[ ${1:-} != arm64 ]] || { cross=yes && shift && set -- 12 "$@"; }
+if [[ ${1:-} == arm64 ]]; then
+  [[ $# == 1 ]] || { complain "arm64 is the cross compiler of Debian 12; nothing may follow it" && exit 2; }
+  cross=yes
+  set -- 12
+fi
 IFS=, read -ra releases <<<"${1:-12,13}"
 readonly architecture=${2:-$(dpkg --print-architecture)}
 
