@@ -180,6 +180,23 @@ TEST(Match, IsNotChangedByStatisticsThatTheUnknownsDoNotChange) {
   EXPECT_NEAR(after.inference.unknowns[1].posterior.mean, 0.6, 0.05);
 }
 
+// Four movements add 0.3 times a normal number to each of 12 statistics of the level. If only draws
+// are left out, the regression recognizes the movements and has no error; the mean of 12 statistics
+// has the error 0.3 / sqrt(12) = 0.09 on other movements.
+TEST(Match, DoesNotRecognizeMovements) {
+  GivenStatistics given(128);
+  given.play_movements(4);
+  Random random(7);
+  for (int k = 0; k < 12; ++k) {
+    std::vector<double> effects;
+    for (int m = 0; m < 4; ++m) effects.push_back(0.3 * random.normal());
+    given.add(0.5, [&](std::size_t i, double level, double) { return level + effects[i / 32]; });
+  }
+  const Match match = given.match();
+  EXPECT_GT(match.summaries[0].error, 0.04);
+  EXPECT_EQ(match.inference.simulations.group[127], 3U);
+}
+
 // The level at the place 1.3 of its prior gives values that some draws reach, each by itself.
 TEST(Match, ReportsAnObservationOutsideOfTheDraws) {
   GivenStatistics given(128);
