@@ -180,9 +180,9 @@ TEST(Match, IsNotChangedByStatisticsThatTheUnknownsDoNotChange) {
   EXPECT_NEAR(after.inference.unknowns[1].posterior.mean, 0.6, 0.05);
 }
 
-// Four movements add 0.3 times a normal number to each of 12 statistics of the level. If only draws
-// are left out, the regression recognizes the movements and has no error; the mean of 12 statistics
-// has the error 0.3 / sqrt(12) = 0.09 on other movements.
+// Four movements add 0.3 times a normal number to each of 12 statistics of the level. A combination
+// of 12 statistics that does not depend on four known movements has hardly an error if only draws
+// are left out. On a movement that is not known it has one.
 TEST(Match, DoesNotRecognizeMovements) {
   GivenStatistics given(128);
   given.play_movements(4);
@@ -193,7 +193,7 @@ TEST(Match, DoesNotRecognizeMovements) {
     given.add(0.5, [&](std::size_t i, double level, double) { return level + effects[i / 32]; });
   }
   const Match match = given.match();
-  EXPECT_GT(match.summaries[0].error, 0.04);
+  EXPECT_GT(match.summaries[0].error, 0.015);
   EXPECT_EQ(match.inference.simulations.group[127], 3U);
 }
 
