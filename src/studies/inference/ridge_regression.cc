@@ -71,8 +71,9 @@ Matrix<double> products_of(const Matrix<double>& rows) {
   return products;
 }
 
-// The triangle of Cholesky of the products with a penalty above 0 on the diagonal.
-Matrix<double> triangle_of(const Matrix<double>& products, double penalty) {
+// The triangle of Cholesky of the products with a penalty on the diagonal. `least` is a lower bound
+// of the squares of its diagonal, which rounding may make negative.
+Matrix<double> triangle_of(const Matrix<double>& products, double penalty, double least) {
   Matrix<double> triangle = products;
   for (std::size_t a = 0; a < triangle.rows(); ++a) {
     for (std::size_t b = 0; b <= a; ++b) {
@@ -80,8 +81,7 @@ Matrix<double> triangle_of(const Matrix<double>& products, double penalty) {
       if (b < a) {
         triangle(a, b) = (triangle(a, b) - before) / triangle(b, b);
       } else {
-        // The exact value is at least the penalty.
-        triangle(a, a) = std::sqrt(std::max(triangle(a, a) + penalty - before, penalty));
+        triangle(a, a) = std::sqrt(std::max(triangle(a, a) + penalty - before, least));
       }
     }
   }
@@ -136,12 +136,13 @@ class Ridge {
         double penalty)
       : predictors_(predictors),
         groups_(groups),
-        triangle_(triangle_of(products, penalty * static_cast<double>(predictors.rows.rows()))),
+        triangle_(triangle_of(products, penalty * static_cast<double>(predictors.rows.rows()),
+                              penalty * static_cast<double>(predictors.rows.rows()))),
         given_(solved(triangle_, predictors.given)),
         penalty_(penalty) {
     for (std::size_t i = 0; i < predictors.rows.rows(); ++i)
       rows_.push_back(solved(triangle_, predictors.rows.row(i)));
-    for (const auto& members : groups) rests_.push_back(triangle_of(rest_of(members), 1e-12));
+    for (const auto& members : groups) rests_.push_back(triangle_of(rest_of(members), 0.0, 1e-9));
   }
 
   RidgePrediction prediction(const std::vector<double>& values) const {

@@ -114,7 +114,7 @@ const Declarations<InferenceParameters>& InferenceParameters::declarations() {
                "Share of the simulated maps that are accepted: those nearest to the targets.")
           .add("adjusted", &P::adjusted, "", Range::any(),
                "Whether accepted settings are adjusted by local linear regression on the "
-               "differences from the targets.")
+               "differences from the targets; those of a match, by what predicts them.")
           .add("truths", &P::truths, "", Range::between(0, 1e6),
                "Number of simulated maps that are inferred as if they had been observed, to check "
                "the intervals.")

@@ -108,6 +108,27 @@ TEST_F(MatchCommand, PlaysSensorsOfFewRecordings) {
   EXPECT_NEAR(json["unknowns"][0]["posterior"]["median"].get<double>(), 0.08, 0.01);
 }
 
+// The values of a list alternate in a sequence of Sobol; each is played on all recordings.
+TEST_F(MatchCommand, PlaysEachValueOnAllRecordings) {
+  write_real();
+  write("prior.toml",
+        "[sweep]\ndesign = 'sobol'\npoints = 16\nrecordings = 2\n"
+        "[inference]\nbodies = 1\npairs = 1\ntruths = 1\n"
+        "[explore]\nbody = 'hardness'\nexplorations = 2\n"
+        "[unknown.force]\nkey = 'explore.hardness_probe.force'\ntext = 'x'\nvalues = [3.0, 4.0]\n" +
+            kOffset);
+  const std::string shown = output_of(match("out"));
+  std::size_t of_draws = 0;
+  for (const std::string& file : files("out/recordings"))
+    of_draws += file.ends_with("-2011.mcap") || file.ends_with("-2012.mcap") ? 1 : 0;
+  EXPECT_EQ(of_draws, 4U);
+  EXPECT_EQ(shown.find("All draws play the same movements"), std::string::npos);
+  write(
+      "prior.toml",
+      read("prior.toml").replace(read("prior.toml").find("recordings = 2"), 14, "recordings = 1"));
+  EXPECT_NE(output_of(match("one")).find("All draws play the same movements"), std::string::npos);
+}
+
 TEST_F(MatchCommand, RefusesWhatHasNoEffectOrCannotBeCompared) {
   write_real();
   write_prior(8, "pairs = 2\n");

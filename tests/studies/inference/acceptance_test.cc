@@ -60,8 +60,8 @@ TEST(Acceptance, TakesAllAtTheSameDistance) {
   EXPECT_NEAR(all->places(0, 0), 0.5 / 3, 1e-12) << "a constant statistic adjusts nothing";
 }
 
-// Of predictions 0.1 below the places, and 0.1 above: places of 0.7 and of 0.9 remain where 0.8 is
-// predicted; the last one leaves the prior.
+// Places differ from their predictions by 0.1, -0.1, 0.1 and 0.35; adjusted ones differ likewise
+// from the observed prediction, 0.8, and stay in the prior.
 TEST(Acceptance, PredictionsAdjustByTheirDifferences) {
   Simulations all = line_of({0.0, 0.35, 0.5, 0.6});
   all.places = Matrix<double>(4, 1, {0.1, 0.25, 0.6, 0.95});
