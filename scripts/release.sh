@@ -4,9 +4,10 @@
 #   release.sh 12 arm64 --cross FILE    # options may also stand first
 # By default for Debian 12 and 13 and the architecture of this machine, in out/release. Packages for the release of this
 # machine are built here, in build/package; others in a fresh system with a compiler. --cross FILE is a toolchain file of
-# CMake for another ARCHITECTURE, with which they are built here; checks then require qemu-user-static. --made only checks packages that an earlier call has made. --cache keeps the
-# results of compilers of the fresh systems in FOLDER. Requires root and, without a cache, half an hour a release on two
-# cores. The logs and the table of artefacts, artefacts.md, are in the same folder.
+# CMake for another ARCHITECTURE, with which they are built here; checks then require qemu-user-static. --made only checks
+# packages that an earlier call has made. --cache keeps the results of compilers of the fresh systems in FOLDER. Requires
+# root and, without a cache, half an hour a release on two cores. The logs and the table of artefacts, artefacts.md, are
+# in the same folder.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 # shellcheck source=scripts/bare_system.sh
