@@ -21,8 +21,8 @@ version = release = re.search(r"project\(somato VERSION ([0-9.]+)",
 extensions = ["myst_nb", "breathe", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx_copybutton",
               "site_pages", "site_api", "site_math"]
 
-FOLDERS_WITHOUT_PAGES = [path.name for path in TREE.iterdir() if path.name not in ("docs", "examples", "src", "program")
-                         and path.is_dir()]
+FOLDERS_WITHOUT_PAGES = [path.name for path in TREE.iterdir()
+                         if path.name not in ("docs", "examples", "src", "program", "tests") and path.is_dir()]
 # The pages stay where they are, so that their links are those of the repository.
 root_doc = "docs/README"
 include_patterns = ["docs/**", "README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "STYLE.md",
