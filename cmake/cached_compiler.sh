@@ -35,6 +35,7 @@ if is_header "$@"; then
   exit 0
 fi
 
-export CCACHE_BASEDIR="$checkout" CCACHE_PCH_EXTSUM=1 CCACHE_NOHASHDIR=1
+# What a source includes is known from the compiler's own list of dependencies, so that no source is preprocessed for the cache.
+export CCACHE_BASEDIR="$checkout" CCACHE_PCH_EXTSUM=1 CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
 export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 exec "$ccache" "$@"

@@ -27,7 +27,7 @@ def included_by(path, tree=TREE):
     """The project headers that `path` includes."""
     found = set()
     for _, bracket, header in includes(path):
-        for base in (tree / "include", tree / "src", path.parent, tree / "tests", tree / "program"):
+        for base in (tree / "include", tree / "src", path.parent, tree / "tests", tree / "program", tree):
             if bracket == '"' and (base / header).is_file():
                 found.add((base / header).resolve())
                 break

@@ -4,7 +4,8 @@ import json
 import re
 from pathlib import Path
 
-INCLUDED = re.compile(r'^#include "(/[^"]+)"', re.MULTILINE)
+TREE = Path(__file__).resolve().parent.parent
+INCLUDED = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
 
 def by_file(build):
@@ -14,7 +15,7 @@ def by_file(build):
     for entry in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
         compiled = Path(entry["file"])
         sources = [compiled]
-        if compiled.parent.name == "Unity":
-            sources = map(Path, INCLUDED.findall(compiled.read_text(encoding="utf-8")))
+        if compiled.parent.parent.name == "together":  # cmake/SomatoUnity.cmake
+            sources = (TREE / name for name in INCLUDED.findall(compiled.read_text(encoding="utf-8")))
         found.update((source, (entry["command"], compiled)) for source in sources)
     return found

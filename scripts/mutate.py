@@ -79,7 +79,7 @@ class Room:
         if compiled != mutant.file:  # the sources that are compiled together, one of them broken
             together = folder / compiled.name
             text = compiled.read_text(encoding="utf-8")
-            together.write_text(text.replace(f'"{mutant.file}"', f'"{source}"'), encoding="utf-8")
+            together.write_text(text.replace(f'"{mutant.file.relative_to(TREE)}"', f'"{source}"'), encoding="utf-8")
             source = together
         words = shlex.split(command)
         original = words[words.index("-o") + 1]
