@@ -44,8 +44,10 @@ function(somato_make_groups target)
   endforeach()
 endfunction()
 
-# somato_add_groups(TARGET WING SOURCE...): sources relative to the checkout, in groups of equal size.
+# somato_add_groups(TARGET WING SOURCE...): sources relative to the checkout, in groups of equal size. If the target has a
+# property SOMATO_OPTIONS_OF_WING, they are compiled with these options, and without headers that were precompiled without them.
 function(somato_add_groups target wing)
+  get_target_property(options ${target} SOMATO_OPTIONS_OF_${wing})
   list(LENGTH ARGN count)
   math(EXPR groups "(${count} + ${SOMATO_SOURCES_AT_ONCE} - 1) / ${SOMATO_SOURCES_AT_ONCE}")
   set(place 0)
@@ -60,6 +62,10 @@ function(somato_add_groups target wing)
     set(file ${CMAKE_CURRENT_BINARY_DIR}/together/${target}/${wing}_${group}.cc)
     file(CONFIGURE OUTPUT ${file} CONTENT "${text_${group}}" @ONLY)
     set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "-iquote;${PROJECT_SOURCE_DIR}")
+    if(options)
+      set_property(SOURCE ${file} APPEND PROPERTY COMPILE_OPTIONS ${options})
+      set_property(SOURCE ${file} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+    endif()
     target_sources(${target} PRIVATE ${file})
   endforeach()
 endfunction()
