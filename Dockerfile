@@ -6,7 +6,7 @@ ARG DEBIAN=12
 FROM debian:${DEBIAN} AS build
 WORKDIR /somato
 COPY . .
-RUN ./dev setup build package && scripts/pack.sh /packages
+RUN ./dev setup build package && scripts/release/pack.sh /packages
 
 FROM debian:${DEBIAN}-slim
 RUN --mount=type=bind,from=build,source=/packages,target=/packages \

@@ -5,9 +5,9 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(exports ${PROJECT_BINARY_DIR}/exports.map)
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/somato/*.h)
 add_custom_command(OUTPUT ${exports}
-  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/exported_symbols.py ${PROJECT_SOURCE_DIR}/include/somato
+  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/release/exported_symbols.py ${PROJECT_SOURCE_DIR}/include/somato
           $<TARGET_FILE:somato> SOMATO_${SOMATO_SOVERSION} --nm ${CMAKE_NM} > ${exports}
-  DEPENDS somato ${headers} ${PROJECT_SOURCE_DIR}/scripts/exported_symbols.py)
+  DEPENDS somato ${headers} ${PROJECT_SOURCE_DIR}/scripts/release/exported_symbols.py)
 add_custom_target(somato_exports_map DEPENDS ${exports})
 
 add_library(somato_shared SHARED $<TARGET_OBJECTS:somato> $<TARGET_OBJECTS:somato_optimized>)

@@ -1,4 +1,4 @@
-"""Tests of scripts/exported_symbols.py."""
+"""Tests of scripts/release/exported_symbols.py."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""Tests of scripts/run_service.py, and of the unit whose command it runs."""
+"""Tests of scripts/release/run_service.py, and of the unit whose command it runs."""
 
 import unittest
 

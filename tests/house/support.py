@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 TREE = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(TREE / "scripts"))
+sys.path[:0] = [str(TREE / "scripts"), str(TREE / "scripts" / "release")]
 
 
 class TreeTest(unittest.TestCase):

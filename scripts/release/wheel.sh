@@ -5,13 +5,13 @@
 # on the path or was installed by pyenv. The output has the lines 'needs ...' and 'passed with Python ...', which release.sh reads.
 set -euo pipefail
 folder=$(realpath -m "${1:?wheel.sh requires a folder for the wheel}")
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 ./dev wheel "$work/built"
 python3 -m venv "$work/tools"
-"$work/tools/bin/pip" install --quiet --requirement scripts/wheel_tools.txt
+"$work/tools/bin/pip" install --quiet --requirement scripts/release/wheel_tools.txt
 export PATH=$work/tools/bin:$PATH
 auditwheel repair --wheel-dir "$folder" "$work/built"/*.whl
 abi3audit --strict --verbose "$folder"/*.whl

@@ -6,7 +6,7 @@
 set -euo pipefail
 folder=$(realpath -m "${1:?pack.sh requires a folder for the packages}")
 shift
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 
 readonly build=build/package${SUFFIX:+-$SUFFIX}
 # The time of everything in the packages, so that the same commit gives the same files.

@@ -9,7 +9,7 @@
 # root and, without a cache, half an hour a release on two cores. The logs and the table of artefacts, artefacts.md, are
 # in the same folder.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 # shellcheck source=scripts/bare_system.sh
 source scripts/bare_system.sh
 
@@ -64,14 +64,14 @@ make_packages() {
   rm -rf "$2"
   if is_here "$1"; then
     SUFFIX=${cross:+$architecture} DEB_HOST_ARCH=$architecture \
-      scripts/pack.sh "$2" ${cross:+"-DCMAKE_TOOLCHAIN_FILE=$cross"} || return
+      scripts/release/pack.sh "$2" ${cross:+"-DCMAKE_TOOLCHAIN_FILE=$cross"} || return
     # The interface of 1.0 in abi/ is that of amd64 (docs/stability.md).
-    if [[ $architecture == amd64 ]]; then scripts/check_abi.py build/package/src/libsomato.so.1; fi
+    if [[ $architecture == amd64 ]]; then scripts/release/check_abi.py build/package/src/libsomato.so.1; fi
     return
   fi
   bare_system "${codenames[$1]}" "$root" git &&
     git clone --quiet . "$root/somato" &&
-    inside "$root" /somato/scripts/pack.sh /packages &&
+    inside "$root" /somato/scripts/release/pack.sh /packages &&
     cp -r "$root/packages" "$2" &&
     rm -rf --one-file-system "$root"
 }
@@ -117,7 +117,7 @@ check_service() {
   apt_install "$1" systemd &&
     inside "$1" systemd-analyze verify --man=no somato-live@skin.service &&
     inside "$1" systemd-analyze security --offline=yes --threshold=25 somato-live@skin.service &&
-    inside "$1" python3 /somato/scripts/run_service.py /usr/lib/systemd/system/somato-live@.service
+    inside "$1" python3 /somato/scripts/release/run_service.py /usr/lib/systemd/system/somato-live@.service
 }
 
 # Programs in C and C++ with the packages of the library, linked with either library.
@@ -174,7 +174,7 @@ run_release() {
 
 make_wheel() {
   rm -rf "$out/wheel"
-  scripts/wheel.sh "$out/wheel"
+  scripts/release/wheel.sh "$out/wheel"
 }
 
 printf '| artefact | size | needs | run on it |\n|---|---|---|---|\n' >"$table"

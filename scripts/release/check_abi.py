@@ -21,7 +21,7 @@ LAYOUTS = "abi/layouts.txt"
 INCOMPATIBLE = 8  # a bit of the exit code of abidiff
 # Users of a header compile these themselves; which ones a library has depends on the compiler.
 COMPILED_BY_USERS = re.compile(r"binding='(?:weak|gnu-unique)-binding'")
-HEADER = "# Layout of the types of the public headers, written by scripts/check_abi.py --update.\n"
+HEADER = "# Layout of the types of the public headers, written by scripts/release/check_abi.py --update.\n"
 
 
 def run(*words, accepted=(0,)):
@@ -140,7 +140,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", 1)[0])
     parser.add_argument("library", type=Path)
     parser.add_argument("--update", action="store_true")
-    parser.add_argument("--tree", type=Path, default=Path(__file__).resolve().parent.parent)
+    parser.add_argument("--tree", type=Path, default=Path(__file__).resolve().parents[2])
     parser.add_argument("--compiler", default="g++")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
