@@ -183,11 +183,21 @@ def claim_table(inference):
         shipped = inference.shipped_claim(claim)
         rows.append([f"{tables.subject(claim)}: {tables.cell(claim['text'])}", claim["paper"] or "ours",
                      tables.percent(shipped["share"]) if shipped else "–", f"**{tables.percent(claim['prior'])}**",
+                     tables.range_text(claim), values_text(claim),
                      tables.percent(claim["fresh"]), tables.percent(claim["left_out"]), tables.percent(claim["fresh_chance"]),
                      verdicts(shipped and shipped["verdict"], shipped and as_written(shipped)),
                      verdicts(claim["fresh_verdict"], claim["fresh_verdict_as_written"]), claim["support"]])
-    return tables.table(["claim", "paper", "shipped", "prior", "fresh", "without it", "by chance", "verdict, shipped",
+    return tables.table(["claim", "paper", "shipped", "prior", "required", "values", "fresh", "without it", "by chance", "verdict, shipped",
                          "verdict, fresh", "support"], rows)
+
+
+def values_text(claim):
+    """The median of the values in the maps of all draws, with their ends: how far a claim is out of reach."""
+    values = claim.get("values")
+    if not values:
+        return "–"
+    least, median, greatest = (tables.rounded(values[name]) for name in ("least", "median", "greatest"))
+    return f"{median} ({least} to {greatest})"
 
 
 def verdicts(first, written):

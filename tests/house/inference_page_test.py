@@ -24,6 +24,7 @@ COMMENT = """# A prior of a press.
 def claim(**changes):
     made = {"text": "It holds", "paper": "P11 IV", "question": "", "system": "press", "variation": "", "metric": "accuracy",
             "protocol": "train_is_test", "group": "", "published": None, "at_least": 0.5, "at_most": None, "prior": 0.25,
+            "values": {"least": 0.125, "median": 0.25, "greatest": 0.75},
             "posterior": 1.0, "left_out": 0.5, "fresh": 0.95, "fresh_verdict": "holds", "fresh_verdict_as_written": "holds",
             "chance": 0.2, "fresh_chance": 0.1, "draws": 1024, "support": "explained"}
     return {**made, **changes}
@@ -32,7 +33,7 @@ def claim(**changes):
 CLAIMS = [claim(),
           claim(text="It is half", prior=0.5, left_out=None, fresh=0.25, fresh_verdict="fails",
                 fresh_verdict_as_written="compatible", support="reachable"),
-          claim(text="It never holds", prior=0.0, fresh=0.0, fresh_verdict="fails", fresh_verdict_as_written="fails",
+          claim(text="It never holds", prior=0.0, at_least=None, at_most=1, values=None, fresh=0.0, fresh_verdict="fails", fresh_verdict_as_written="fails",
                 fresh_chance=None, support="excluded"),
           claim(text="Ours", paper="", prior=1.0, support="explained")]
 
@@ -118,10 +119,10 @@ class Page(PageTest):
         self.store("probes", inference())
         rows = [line for line in self.page(shipped()).splitlines() if line.startswith("| press: It")]
         self.assertEqual(rows, [
-            "| press: It holds | P11 IV | 75 % | **25 %** | 95 % | 50 % | 10 % | fails | holds | explained |",
-            "| press: It is half | P11 IV | 75 % | **50 %** | 25 % | – | 10 % | fails; as written: compatible | "
+            "| press: It holds | P11 IV | 75 % | **25 %** | ≥ 0.5 | 0.25 (0.12 to 0.75) | 95 % | 50 % | 10 % | fails | holds | explained |",
+            "| press: It is half | P11 IV | 75 % | **50 %** | ≥ 0.5 | 0.25 (0.12 to 0.75) | 25 % | – | 10 % | fails; as written: compatible | "
             "fails; as written: compatible | reachable |",
-            "| press: It never holds | P11 IV | 75 % | **0 %** | 0 % | 50 % | – | mostly | fails | excluded |"])
+            "| press: It never holds | P11 IV | 75 % | **0 %** | ≤ 1 | – | 0 % | 50 % | – | mostly | fails | excluded |"])
 
     def test_without_a_reproduction_nothing_is_said_of_the_shipped_body(self):
         self.store("probes", inference())

@@ -68,6 +68,17 @@ std::optional<double> mean_chance(const SweepResults& results, std::size_t claim
   return points > 0.0 ? std::optional(sum / points) : std::nullopt;
 }
 
+std::optional<ClaimValues> values_of(const SweepResults& results, std::size_t claim) {
+  std::vector<double> all;
+  for (const SweepPointResults& point : results.points) {
+    const auto& outcome = point.claims[claim];
+    if (outcome) all.insert(all.end(), outcome->values.begin(), outcome->values.end());
+  }
+  if (all.empty()) return {};
+  std::sort(all.begin(), all.end());
+  return ClaimValues{all.front(), all[(all.size() - 1) / 2], all.back()};
+}
+
 std::size_t judged_draws(const SweepResults& results, std::size_t claim) {
   return static_cast<std::size_t>(std::count_if(
       results.points.begin(), results.points.end(),
@@ -168,6 +179,7 @@ ClaimShares shares_of(const SweepResults& results, std::size_t claim,
   const MetClaims met = met_by_simulations(results, claim);
   ClaimShares shares;
   shares.prior = share_met(met);
+  shares.values = values_of(results, claim);
   shares.posterior = share_met(met, posterior);
   const auto others = without_own_targets(results.sweep.claims[claim], simulations, targets);
   if (others) shares.left_out = share_met(met, *others);

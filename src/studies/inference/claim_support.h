@@ -39,9 +39,17 @@ using MetClaims = std::vector<double>;
 /// Those of claim number `claim`, in the order of simulations_of().
 MetClaims met_by_simulations(const SweepResults& results, std::size_t claim);
 
+/// The values of the first measure of a claim, over all simulations in which it could be judged.
+struct ClaimValues {
+  double least = 0.0;
+  double median = 0.0;  ///< The lower one of an even number, so that it is a value of a map.
+  double greatest = 0.0;
+};
+
 /// The shares of maps that meet a claim.
 struct ClaimShares {
-  std::optional<double> prior;  ///< Share of all simulations.
+  std::optional<double> prior;        ///< Share of all simulations.
+  std::optional<ClaimValues> values;  ///< What they have, which shows how far a claim is out of reach.
   std::optional<double>
       posterior;  ///< Weighted share of the accepted ones: on the seeds that selected them.
   /// The same where the targets with the measure of the claim had no part in the selection.

@@ -115,10 +115,16 @@ InferenceJson calibration_json(const std::vector<Unknown>& names, const Calibrat
   return {{"truths", calibration.ranks.rows()}, {"unknowns", std::move(unknowns)}};
 }
 
+InferenceJson values_json(const std::optional<ClaimValues>& values) {
+  if (!values) return nullptr;
+  return {{"least", values->least}, {"median", values->median}, {"greatest", values->greatest}};
+}
+
 InferenceJson supported_claim_json(const InferenceResults& results, std::size_t number) {
   const ClaimShares& shares = results.claims[number];
   InferenceJson json = detail::claim_json(results.draws.sweep.claims[number]);
   json["prior"] = or_null(shares.prior);
+  json["values"] = values_json(shares.values);
   json["posterior"] = or_null(shares.posterior);
   json["left_out"] = or_null(shares.left_out);
   json["fresh"] = or_null(shares.fresh);

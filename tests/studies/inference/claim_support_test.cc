@@ -27,6 +27,10 @@ TEST(ClaimSupport, ComparesThePriorWithThePosterior) {
       shares_of(results, 0, found.simulations, found.posterior, targets, {results.sweep, {}});
   EXPECT_NEAR(*shares.prior, 0.5, 0.02);
   EXPECT_EQ(*shares.posterior, 1.0);
+  ASSERT_TRUE(shares.values);
+  EXPECT_NEAR(shares.values->least, 0.1, 0.02);
+  EXPECT_NEAR(shares.values->median, 0.5, 0.02);
+  EXPECT_NEAR(shares.values->greatest, 0.9, 0.02);
   EXPECT_FALSE(shares.left_out) << "without its own target there is none";
   EXPECT_FALSE(shares.fresh);
   EXPECT_EQ(shares.draws, 128U);
