@@ -5,6 +5,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -75,11 +76,19 @@ Names in_order(std::size_t count, std::size_t each) {
   return names;
 }
 
+// Lets the other threads go on. A number of yields would take minutes beside busy processes, each of
+// which runs for some milliseconds before it yields.
+void yield_for(std::chrono::milliseconds duration) {
+  const auto end = std::chrono::steady_clock::now() + duration;
+  do {
+    std::this_thread::yield();
+  } while (std::chrono::steady_clock::now() < end);
+}
+
 // Explorations that finish in another order than they began: the first of four waits for the other
 // ones, as far as threads allow.
 Result<Exploration> uneven(std::size_t item, std::size_t trial) {
-  const std::size_t turns = (item + trial) % 4 == 0 ? 2000 : 1;
-  for (std::size_t i = 0; i < turns; ++i) std::this_thread::yield();
+  yield_for(std::chrono::milliseconds((item + trial) % 4 == 0 ? 1 : 0));
   return exploration_named(item, trial);
 }
 
@@ -192,7 +201,7 @@ TEST(ExploreAllThreads, ThoseAheadWaitForTheFirst) {
       [&](std::size_t item, std::size_t trial) -> Result<Exploration> {
         if (item == 0) {
           while (ended < 5) std::this_thread::yield();
-          for (int i = 0; i < 10000; ++i) std::this_thread::yield();
+          yield_for(std::chrono::milliseconds(5));
           most_before_first = ended.load();
         }
         ++ended;
@@ -292,7 +301,7 @@ TEST(ExploreAllThreads, AnExceptionWakesThoseWhoWait) {
     const auto explore = [&](std::size_t item, std::size_t trial) -> Result<Exploration> {
       if (item == 3) {
         while (ended < 2 + 2 * threads) std::this_thread::yield();
-        for (int i = 0; i < 10000; ++i) std::this_thread::yield();
+        yield_for(std::chrono::milliseconds(5));
         throw std::runtime_error("broken");
       }
       ++ended;
