@@ -49,7 +49,7 @@ struct ClaimValues {
 /// The shares of maps that meet a claim.
 struct ClaimShares {
   std::optional<double> prior;        ///< Share of all simulations.
-  std::optional<ClaimValues> values;  ///< What they have, which shows how far a claim is out of reach.
+  std::optional<ClaimValues> values;  ///< Those of all simulations.
   std::optional<double>
       posterior;  ///< Weighted share of the accepted ones: on the seeds that selected them.
   /// The same where the targets with the measure of the claim had no part in the selection.

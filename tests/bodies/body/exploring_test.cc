@@ -76,8 +76,8 @@ Names in_order(std::size_t count, std::size_t each) {
   return names;
 }
 
-// Lets the other threads go on. A number of yields would take minutes beside busy processes, each of
-// which runs for some milliseconds before it yields.
+// Lets the other threads go on. A number of yields would take minutes beside busy processes, each
+// of which runs for some milliseconds before it yields.
 void yield_for(std::chrono::milliseconds duration) {
   const auto end = std::chrono::steady_clock::now() + duration;
   do {
