@@ -34,7 +34,7 @@ TEST(InferenceResults, AreWrittenAsJson) {
   EXPECT_EQ(json["calibration"]["unknowns"][0]["ranks"].size(), 20U);
   EXPECT_EQ(json["claims"][0]["support"], "reachable");
   EXPECT_TRUE(json["claims"][0]["left_out"].is_null());
-  EXPECT_NEAR(json["claims"][0]["values"]["greatest"].get<double>(), 0.9, 0.02);
+  EXPECT_NEAR(json["claims"][0]["values"]["greatest"].get<double>(), 0.9, 0.05);
   EXPECT_EQ(json["joint"]["fresh"]["bodies"], 2);
   EXPECT_EQ(json["joint"]["claims"], 2);
   EXPECT_EQ(json["joint"]["fresh"]["sums"].size(), 2U);
