@@ -13,10 +13,10 @@ function(somato_has_own_options out source)
   endforeach()
 endfunction()
 
-# somato_compile_together(TARGET): the sources of each wing in TARGET become groups, which are compiled one by one, as are
-# sources with options of their own. The text of a group contains no path of the checkout, unlike the groups of CMake's
-# UNITY_BUILD, so that the compiler's cache recognizes it in another one without reading the headers. The groups are made at
-# the end of the folder, when the options of all its sources are known.
+# somato_compile_together(TARGET): the sources of each wing in TARGET are compiled in groups; a source with options of its own
+# is compiled separately. The text of a group contains no path of the checkout, unlike the groups of CMake's UNITY_BUILD, so
+# that the compiler's cache recognizes it in another checkout without reading the headers. The groups are made at the end of
+# the folder, when the options of all its sources are known.
 function(somato_compile_together target)
   if(SOMATO_SOURCES_AT_ONCE GREATER 1)
     cmake_language(EVAL CODE "cmake_language(DEFER CALL somato_make_groups ${target})")

@@ -1,5 +1,5 @@
 # Fresh systems of Debian, for scripts that source this file: other_systems.sh and release.sh. $architecture is that
-# of the systems; $cache, if not empty, the folder that keeps the results of compilers.
+# of the systems; $cache, if not empty, the folder that keeps the results of compilers; $log the file for the output of steps.
 # shellcheck shell=bash
 # shellcheck disable=SC2034,SC2154
 declare -rA codenames=([12]=bookworm [13]=trixie)
@@ -63,4 +63,16 @@ require_releases() {
     complain "unknown release '$release' of Debian; there are: ${!codenames[*]}"
     exit 2
   done
+}
+
+failures=0
+# step NAME COMMAND...: runs it with the log; prints whether it passes, and its seconds, and counts failures.
+step() {
+  local name=$1 result=ok
+  shift
+  SECONDS=0
+  "$@" >>"$log" 2>&1 || result=FAILED
+  printf '%-10s%6d s  %s\n' "$result" "$SECONDS" "$name"
+  [[ $result == ok ]] || failures=$((failures + 1))
+  [[ $result == ok ]]
 }

@@ -61,16 +61,6 @@ make_cross_system() {
   bare_checkout "$@" && inside "$2" /somato/scripts/arm64.sh packages
 }
 
-# step NAME COMMAND...: runs it with the log of the system; prints whether it passes, and its seconds.
-step() {
-  local name=$1 result=ok
-  shift
-  SECONDS=0
-  "$@" >>"$log" 2>&1 || result=FAILED
-  printf '%-10s%6d s  %s\n' "$result" "$SECONDS" "$name"
-  [[ $result == ok ]]
-}
-
 # The stages, the numbers of tests and the names of those that failed, as ./dev test has printed them.
 print_tests() {
   grep -aE '^(ok|FAILED) +[0-9]+ s +[0-9]+ s of processors|tests passed, [0-9]+ tests failed|^FAILED ' "$log" |

@@ -40,18 +40,6 @@ mkdir -p "$out"
 work=$(mktemp -d /var/tmp/somato-release.XXXXXX)
 trap 'rm -rf --one-file-system "$work"' EXIT
 
-failures=0
-# step NAME COMMAND...: runs it with the log; prints whether it passes, and its seconds.
-step() {
-  local name=$1 result=ok
-  shift
-  SECONDS=0
-  "$@" >>"$log" 2>&1 || result=FAILED
-  printf '%-10s%6d s  %s\n' "$result" "$SECONDS" "$name"
-  [[ $result == ok ]] || failures=$((failures + 1))
-  [[ $result == ok ]]
-}
-
 is_here() {
   [[ $(sed -n 's/^VERSION_ID="\(.*\)"$/\1/p' /etc/os-release) == "$1" ]] &&
     [[ $architecture == "$native" || -n $cross ]]
