@@ -85,7 +85,8 @@ STAGES = [
           None, "dev", thorough=True),
     Stage("asan: build", command("./dev", "build", "asan"), "nothing; required by the next stage",
           678, "asan", thorough=True),
-    Stage("asan: tests", tests("asan"), "invalid memory accesses, leaks, undefined behaviour",
+    # The long tests repeat others with more cases, and have run without a sanitizer.
+    Stage("asan: tests", tests("asan", "-LE", "^long$"), "invalid memory accesses, leaks, undefined behaviour",
           390, "asan", thorough=True),
     Stage("tsan: build", command("./dev", "build", "tsan"), "nothing; required by the next stage",
           306, "tsan", thorough=True),
