@@ -46,7 +46,7 @@ TEST(DynamixelServos, ReadAndSyncReadAreAnsweredAsInTheManual) {
 
 // It starts where the servo is, and not where it was driven before.
 TEST(DynamixelServos, TorqueStartsFromTheMeasuredPosition) {
-  ServoTalk talk({{.id = 1, .position = 1500}});
+  ServoTalk talk(std::vector<EmulatedDynamixel>{{.id = 1, .position = 1500}});
   talk.write(1, dynamixel_x::kVelocity, {1, 0, 0, 0});
   talk.write(1, dynamixel_x::kGoalPosition, {0xE8, 3, 0, 0});
   talk.write(1, dynamixel_x::kTorqueEnable, {1}, 0.0);
@@ -77,7 +77,7 @@ TEST(DynamixelServos, TheProfileVelocityRampsTheGoal) {
 }
 
 TEST(DynamixelServos, ATimedProfileArrivesInItsTime) {
-  ServoTalk talk({{.id = 1, .position = 1000}});
+  ServoTalk talk(std::vector<EmulatedDynamixel>{{.id = 1, .position = 1000}});
   talk.write(1, dynamixel_x::kDriveMode, {dynamixel_x::kTimeBasedProfile});
   talk.write(1, dynamixel_x::kGoalPosition, {0xE8, 3, 0, 0});
   talk.write(1, dynamixel_x::kTorqueEnable, {1});
@@ -92,14 +92,14 @@ TEST(DynamixelServos, ATimedProfileArrivesInItsTime) {
 }
 
 TEST(DynamixelServos, MeasuredValuesAreReadInUnitsOfTheServo) {
-  ServoTalk talk({{.id = 1, .current_unit = 2.69}});
+  ServoTalk talk(std::vector<EmulatedDynamixel>{{.id = 1, .current_unit = 2.69}});
   talk.chain->set_measured(0, -3.4, -269.0);
   const auto all = dynamixel_answers(talk.read(1, dynamixel_x::kPresentCurrent, 10));
   EXPECT_EQ(all, (PacketContents{{1, 0, {0x9C, 0xFF, 0, 0, 0, 0, 0xFD, 0xFF, 0xFF, 0xFF}}}));
 }
 
 TEST(DynamixelServos, AnOverloadIsAnnouncedByEachAnswer) {
-  ServoTalk talk({{.id = 1}});
+  ServoTalk talk(std::vector<EmulatedDynamixel>{{.id = 1}});
   talk.chain->overload(0);
   EXPECT_EQ(dynamixel_answers(talk.read(1, dynamixel_x::kHardwareError, 1)),
             (PacketContents{{1, dynamixel_error::kAlert, {dynamixel_x::kOverload}}}));
@@ -109,7 +109,7 @@ TEST(DynamixelServos, AnOverloadIsAnnouncedByEachAnswer) {
 }
 
 TEST(DynamixelServos, WhatCannotBeWrittenIsRefused) {
-  ServoTalk talk({{.id = 1}});
+  ServoTalk talk(std::vector<EmulatedDynamixel>{{.id = 1}});
   const auto refusal = [&](std::uint16_t address, const Bytes& data) {
     const auto all = dynamixel_answers(talk.write(1, address, data));
     return all.size() == 1 ? all[0].error : -1;
@@ -130,7 +130,7 @@ TEST(DynamixelServos, WhatCannotBeWrittenIsRefused) {
 }
 
 TEST(DynamixelServos, TheStatusReturnLevelDecidesWhatIsAnswered) {
-  ServoTalk talk({{.id = 1}});
+  ServoTalk talk(std::vector<EmulatedDynamixel>{{.id = 1}});
   std::vector<std::size_t> counts;
   for (const std::uint32_t level : {0U, 1U, 2U}) {
     talk.chain->store(0, dynamixel_x::kStatusReturn, 1, level);

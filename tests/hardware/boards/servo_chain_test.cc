@@ -51,7 +51,7 @@ class ServoChainTest : public ::testing::TestWithParam<BusKind> {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ServoChainTest,
                          ::testing::Values(BusKind::kDynamixel, BusKind::kSts, BusKind::kScs),
-                         [](const auto& info) { return devices::traits_of(info.param).name; });
+                         [](const auto& kind) { return devices::traits_of(kind.param).name; });
 
 TEST_P(ServoChainTest, AGoalDrivesOnlyWithTorque) {
   ServoTalk host = talk();

@@ -38,13 +38,13 @@ class PacketBusTest : public ::testing::TestWithParam<BusKind> {
 
 INSTANTIATE_TEST_SUITE_P(Buses, PacketBusTest,
                          ::testing::Values(BusKind::kDynamixel, BusKind::kSts, BusKind::kScs),
-                         [](const auto& info) { return traits_of(info.param).name; });
+                         [](const auto& kind) { return traits_of(kind.param).name; });
 
 // The buses whose ticks request the states of all servos at once.
 class SyncReadBusTest : public PacketBusTest {};
 INSTANTIATE_TEST_SUITE_P(Buses, SyncReadBusTest,
                          ::testing::Values(BusKind::kDynamixel, BusKind::kSts),
-                         [](const auto& info) { return traits_of(info.param).name; });
+                         [](const auto& kind) { return traits_of(kind.param).name; });
 
 TEST_P(PacketBusTest, StartHoldsEveryServoWhereItIs) {
   for (const bool echo : {false, true}) {
