@@ -167,6 +167,7 @@ TEST(MeasuredSize, TheRadiusBeginsAtAnEighthOfTheLongerSide) {
 TEST(MeasuredSize, ParametersThatItDecidesHaveNoEffect) {
   SomParameters given;
   given.rows = 3;
+  given.radius_schedule = ScheduleShape::kConstant;
   given.radius_end = 2.0;
   given.epochs = 1;
   const Samples samples = normal_samples(40, 3);

@@ -521,6 +521,24 @@ TEST(Refinement, AMapOfFewElementsLearnsOthers) {
   EXPECT_GT(refined->som.weight(0, 3), 0.0F);
 }
 
+// Sparse samples of four million elements: weights for all of them need four terabytes.
+TEST(Refinement, RefusesMapsThatNeedMoreMemoryThanThereIs) {
+  constexpr std::size_t kSide = 512;
+  constexpr std::size_t kSize = 4'000'000;
+  SomParameters p;
+  p.rows = kSide;
+  p.columns = kSide;
+  const Som narrow(resolve(p, 2, kSize).value(), LaneMatrix<float>(kSide * kSide, 1),
+                   StoredElements(kSize, {0}));
+  const std::vector<Signal> signals{Signal::sparse({kSize}, {0}, {1}),
+                                    Signal::sparse({kSize}, {7}, {1})};
+  const auto refined =
+      refine_som(narrow, Samples::from_signals(signals), {0, 1}, glvq_parameters());
+  ASSERT_FALSE(refined);
+  EXPECT_EQ(refined.error().kind, ErrorKind::kSystem);
+  EXPECT_NE(refined.error().what.find("of memory"), std::string::npos) << refined.error().what;
+}
+
 TEST(Refinement, OneNeuronStays) {
   SomParameters p;
   p.rows = 1;

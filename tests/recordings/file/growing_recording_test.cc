@@ -224,6 +224,10 @@ TEST_F(GrowingRecordingTest, IsSynchronizedBeforeTheEndOfAnExplorationIsReported
   ASSERT_TRUE(file->name(3, {"object", "cup"})) << "while it takes place";
   ASSERT_FALSE(files.trace.empty());
   EXPECT_EQ(files.trace.back(), "flush hand.mcap.partial");
+  files.trace.clear();
+  ASSERT_TRUE(file->keep_draft());
+  ASSERT_FALSE(files.trace.empty());
+  EXPECT_EQ(files.trace.back(), "flush hand.mcap.partial");
 }
 
 TEST_F(GrowingRecordingTest, IsRemovedOnlyAfterTheFileWasReadBack) {
@@ -379,6 +383,13 @@ TEST_F(RollingRecordingTest, WithoutAnExplorationNoFileIsLeft) {
   ASSERT_TRUE(file->finish());
   EXPECT_EQ(file->files(), 0U);
   EXPECT_EQ(folder_.count(), 0);
+}
+
+TEST_F(RollingRecordingTest, BeginsAgainOnlyWhenAnotherFileIsDue) {
+  const auto file = GrowingRecording::begin(pattern_, rollover(60.0)).value();
+  EXPECT_FALSE(file->begin_again().value());
+  now_ = 61.0;
+  EXPECT_TRUE(file->begin_again().value());
 }
 
 // At each operation on files the disk may be full; another file is begun when it is due.

@@ -113,9 +113,16 @@ TEST(RecordingWriter, ThrowsAtMistakesOfTheCaller) {
   ASSERT_TRUE(writer.end_exploration());
   ASSERT_TRUE(writer.close());
   EXPECT_THROW((void)writer.close(), InvalidArgument);
-  EXPECT_THROW(
-      (void)RecordingWriter::create(folder.file("b"), packed_writer(Compression::kNone, 0)),
-      InvalidArgument);
+  EXPECT_THROW((void)writer.label(0, {"object", "cup"}), InvalidArgument);
+  constexpr std::size_t kLargest = 4U << 20U;
+  for (const std::size_t chunk_size : {std::size_t{0}, kLargest + 1}) {
+    EXPECT_THROW((void)RecordingWriter::create(folder.file("b"),
+                                               packed_writer(Compression::kNone, chunk_size)),
+                 InvalidArgument)
+        << chunk_size;
+  }
+  EXPECT_TRUE(
+      RecordingWriter::create(folder.file("b"), packed_writer(Compression::kNone, kLargest)));
 }
 
 TEST(RecordingWriter, DoesNotTouchAFileThatIsThere) {
