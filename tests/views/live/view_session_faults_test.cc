@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "views/live/reading_listener.h"
 #include "views/live/sessions.h"
 #include "views/live/view_session.h"
 #include "views/live/view_systems.h"
@@ -50,6 +51,18 @@ TEST(SessionFaultsThread, OutlivesAMistakeWhileItPlays) {
   EXPECT_FALSE(session.command(R"({"command":"seek","exploration":1,"frame":1})"));
   command(session, R"({"command":"seek","exploration":2,"frame":0})");
   EXPECT_EQ(frame_of(session)["exploration"], 2);
+}
+
+TEST(SessionFaultsThread, ReportsAMistakeToTheReceiverOfReadings) {
+  testing::ReadingListener listener;
+  ViewSource source = testing::source_with_readings(testing::hand_source(), listener);
+  source.scenes = [](const Exploration&) { return std::make_unique<BrokenScene>(); };
+  ViewSession session(std::move(source), testing::at_once());
+  session.start();
+  const auto done = listener.wait();
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().what, "Internal error: no such pose.");
+  session.stop();
 }
 
 // Breaks as soon as it is to explore a cube.

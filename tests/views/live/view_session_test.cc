@@ -131,6 +131,16 @@ TEST_F(SessionThread, PlaysAllExplorationsToTheirEnd) {
   EXPECT_EQ(frame_of(session)["last"], true);
 }
 
+TEST_F(SessionThread, PlaysTheFirstExplorationAfterTheLast) {
+  ViewSession session(testing::hand_source(), {true, 1e-3, 0.0});
+  session.start();
+  command(session, R"({"command":"seek","exploration":2,"frame":0})");
+  command(session, R"({"command":"step","frames":100})");
+  ASSERT_EQ(frame_of(session)["last"], true);
+  command(session, R"({"command":"play"})");
+  EXPECT_EQ(frame_of(session)["exploration"], 0);
+}
+
 TEST_F(SessionThread, WaitsForTheFirstViewer) {
   ViewSession session(testing::hand_source(), {true, 100.0, 0.0});
   session.start();
