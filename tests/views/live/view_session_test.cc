@@ -139,6 +139,7 @@ TEST_F(SessionThread, PlaysTheFirstExplorationAfterTheLast) {
   ASSERT_EQ(frame_of(session)["last"], true);
   command(session, R"({"command":"play"})");
   EXPECT_EQ(frame_of(session)["exploration"], 0);
+  EXPECT_EQ(frame_of(session)["frame"], 0);
 }
 
 TEST_F(SessionThread, WaitsForTheFirstViewer) {
