@@ -206,9 +206,11 @@ def check_all(cases):
     kinds = [*itertools.product(["dense", "sparse"], ["euclidean", "dot_product"], ["plane", "torus"]),
              ("text", "euclidean", "torus"), ("text", "dot_product", "plane")]
     resumed = [(2, 3), (4, 1), (3, 7), (7, 2), (2, 4), (3, 1), (4, 2), (2, 1), (3, 2), (4, 3)]
-    for (source, similarity, topology), (processes, then) in zip(kinds, resumed):
+    # Each source and each similarity with all of these numbers.
+    numbers = itertools.cycle([(2, 7), (3, 4)])
+    for (source, similarity, topology), together, (processes, then) in zip(kinds, numbers, resumed):
         case = cases(source, ["--similarity", similarity, "--topology", topology])
-        for number in (2, 3, 4, 7):
+        for number in together:
             case.check(number)
         case.check_killed(processes, then)
         yield case
