@@ -12,6 +12,7 @@ JUNIT = "tests.xml"
 FAILED = "failed_tests.json"  # what run_failed() runs: names of tests, and cases by test
 TIMES = "test_times"  # folder with the processor times of the tests that ran
 SLOWEST = 10
+TESTS_OF_A_CORE = 3  # at once, because many wait for browsers, servers and emulated devices
 
 
 def cases_of(build, name):
@@ -30,7 +31,7 @@ def run_ctest(build, selection, environment):
     junit.unlink(missing_ok=True)
     for report in [*(build / "test_cases").glob("*.json"), *(build / TIMES).glob("*")]:
         report.unlink()
-    subprocess.run(["ctest", "--test-dir", str(build), "-j", str(2 * os.cpu_count()),
+    subprocess.run(["ctest", "--test-dir", str(build), "-j", str(TESTS_OF_A_CORE * os.cpu_count()),
                     "--output-on-failure", "--no-tests=error", "--output-junit", str(junit),
                     *selection], env=dict(os.environ, **environment))
     if not junit.is_file():
