@@ -31,7 +31,8 @@ if is_header "$@"; then
     "$1" --version
     echo "$*"
     headers_in "$(value_after -MF "$@")" | xargs sha256sum
-  } | sed "s|$PWD||g; s|$checkout||g" | sha256sum >"$(value_after -o "$@").sum"
+    # Sorted without the paths of the checkout, of which the order would otherwise depend on them.
+  } | sed "s|$PWD||g; s|$checkout||g" | sort | sha256sum >"$(value_after -o "$@").sum"
   exit 0
 fi
 
