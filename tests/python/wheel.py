@@ -48,7 +48,7 @@ def build(archive, folder, source, pages):
     """The wheel, built as pip builds it, with the pinned versions of nanobind and its helpers.
 
     It takes the pages of the build. It is where g++ compiles the program, so that its warnings are errors.
-    The build's folder is where the preset gcc has its own: the compiler's cache serves both.
+    The build's folder and the compiler's name are those of the preset gcc: the compiler's cache serves both.
     """
     defined = {"SOMATO_WARNINGS_AS_ERRORS": "ON"}
     if pages:
@@ -56,7 +56,7 @@ def build(archive, folder, source, pages):
     settings = ["--config-settings=build-dir=build/gcc",
                 *[f"--config-settings=cmake.define.{name}={value}" for name, value in defined.items()]]
     run(sys.executable, "-m", "pip", "wheel", archive, "--no-deps", "--wheel-dir", folder, *settings,
-        env=dict(os.environ, PIP_CONSTRAINT=str(source / REQUIREMENTS)))
+        env=dict(os.environ, CXX="g++", PIP_CONSTRAINT=str(source / REQUIREMENTS)))
     (wheel,) = folder.glob("*.whl")
     return wheel
 
