@@ -180,6 +180,7 @@ Result<RecordingWriter> RecordingWriter::create(FileSystem& files, const std::st
 
 Result<RecordingWriter> RecordingWriter::write_into(OpenFile file, const std::string& path,
                                                     const RecordingFileParameters& parameters) {
+  check_parameters(parameters);
   RecordingWriter writer(std::make_unique<Impl>(std::move(file), path, parameters));
   Result<void> begun =
       writer.impl_->with(false, [](FrameWriter& frames) { return frames.begin_file(); });

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <limits>
 #include <thread>
+#include <utility>
 
 #include "base/support/eventually.h"
 #include "base/support/failing_file_system.h"
@@ -121,6 +122,10 @@ TEST(RecordingWriter, ThrowsAtMistakesOfTheCaller) {
                  InvalidArgument)
         << chunk_size;
   }
+  auto open = OpenFile::open(operating_system(), folder.file("c"), Opening::kCreate);
+  EXPECT_THROW((void)RecordingWriter::write_into(std::move(*open), folder.file("c"),
+                                                 packed_writer(Compression::kNone, 0)),
+               InvalidArgument);
   EXPECT_TRUE(
       RecordingWriter::create(folder.file("b"), packed_writer(Compression::kNone, kLargest)));
 }
