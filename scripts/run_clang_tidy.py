@@ -2,18 +2,21 @@
 """Runs clang-tidy over the library, the program and the fuzzers, in parallel.
 
 A file that passed, in this checkout or another one of the user, is not checked again until it, a project
-header that it includes, its compile command, the rules or the version of clang-tidy change. Sources that are compiled together are checked together, because reading
-headers takes most of the time. --changed: only files that differ from the parent branch, and for a header
-the first source that includes it. Each of them is read separately and without precompiled headers, so
-that a missing include and an unused using declaration are reported. A change of more than MOST_SEPARATE files, such
-as a move of folders, is left to a run without --changed, which ./dev test --all contains, and which does not
-find missing includes.
+header that it includes, its compile command, the rules or the version of clang-tidy change. Sources that are
+compiled together are checked together, because reading headers takes most of the time.
+
+--changed: only files that differ from the parent branch, and for a header the first source that includes it.
+Each of them is read separately and without precompiled headers, so that a missing include and an unused using
+declaration are reported. Changed tests are compiled in this way, and not checked further. A change of more than
+MOST_SEPARATE files, such as a move of folders, is left to a run without --changed, which ./dev test --all
+contains, and which does not find missing includes.
 
 usage: run_clang_tidy.py [--fix] [--changed]
 """
 
 import argparse
 import os
+import shlex
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -29,18 +32,19 @@ SEPARATE = TREE / "build/lint"
 TOGETHER = SEPARATE / "UnifiedSource"
 REUSED = "reused_marks"  # number of marks that the last run has used
 CHECKED = ("src", "program", "fuzz")
+COMPILED = "tests"
 MOST_SEPARATE = 150  # some ten minutes
 TIDY = str(TREE / "build/clang-tidy/bin/clang-tidy")
 
 
-def entries(build):
-    """The files to check with their compile commands, in the folder `build`."""
+def entries(build, folders=CHECKED):
+    """The files of `folders` to check with their compile commands, in the folder `build`."""
     options = ["-DSOMATO_SOURCES_AT_ONCE=1"] if build == SEPARATE else []
     subprocess.run(["cmake", "--preset", "dev", "-B", str(build), *options,
                     "-DSOMATO_BUILD_PYTHON=OFF", "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON"],
                    cwd=TREE, stdout=subprocess.DEVNULL, check=True)
     return {compiled: command for source, (command, compiled) in compile_commands.by_file(build).items()
-            if source.is_relative_to(TREE) and source.relative_to(TREE).parts[0] in CHECKED}
+            if source.is_relative_to(TREE) and source.relative_to(TREE).parts[0] in folders}
 
 
 def only_changed(files):
@@ -85,9 +89,11 @@ def check(build, file, command, fix):
     key = key_of(file, command, options)
     if passed_marks.has(key):
         return True, True
-    fixes = ["--fix", "--fix-errors"] if fix else []
-    done = subprocess.run([TIDY, "-p", str(build), "--quiet", *options, *fixes, str(file)],
-                          capture_output=True, text=True)
+    if file.relative_to(TREE).parts[0] == COMPILED:
+        reader = [*shlex.split(command), "-fsyntax-only"]
+    else:
+        reader = [TIDY, "-p", str(build), "--quiet", *options, *(["--fix", "--fix-errors"] if fix else []), str(file)]
+    done = subprocess.run(reader, cwd=build, capture_output=True, text=True)
     if done.returncode != 0:
         print(done.stdout, done.stderr, sep="", end="", file=sys.stderr)
         return False, False
@@ -103,7 +109,7 @@ def main():
     given = parser.parse_args()
     fix = given.fix
     build = SEPARATE if given.changed else TOGETHER
-    files = only_changed(entries(build)) if given.changed else entries(build)
+    files = only_changed(entries(build, (*CHECKED, COMPILED))) if given.changed else entries(build)
     if given.changed and len(files) > MOST_SEPARATE:
         print(f"{len(files)} files have changed, too many to read one by one for missing includes: ./dev test --all reads "
               "all together")

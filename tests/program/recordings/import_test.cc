@@ -1,6 +1,7 @@
 #include <sys/stat.h>
 
 #include "program/support/program_test.h"
+#include "somato/recording/recording_file.h"
 
 namespace somato {
 namespace {

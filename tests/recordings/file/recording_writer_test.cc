@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/files/open_file.h"
 #include "base/support/eventually.h"
 #include "base/support/failing_file_system.h"
 #include "base/support/temporary_folder.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "somato/graph/system_model.h"
 #include "somato/graph/system_training.h"
 #include "somato/maps/som_learner.h"
 #include "somato/maps/som_training.h"
