@@ -4,6 +4,11 @@ if(SOMATO_SANITIZE)
   add_compile_options(-fsanitize=${SOMATO_SANITIZE} -fno-sanitize-recover=all
                       -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${SOMATO_SANITIZE})
+  if(SOMATO_SANITIZE MATCHES undefined AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    # The compiler's cache would take an absolute path for a difference between checkouts.
+    file(RELATIVE_PATH unchecked ${CMAKE_BINARY_DIR} ${PROJECT_SOURCE_DIR}/cmake/unchecked_pointers.txt)
+    add_compile_options(-fsanitize-ignorelist=${unchecked})
+  endif()
   # The checks' descriptions contain 800,000 addresses, whose relocation at each start takes longer than many a
   # command. The thread sanitizer needs programs that can be moved.
   if(SOMATO_SANITIZE MATCHES address)
