@@ -12,7 +12,7 @@ JUNIT = "tests.xml"
 FAILED = "failed_tests.json"  # what run_failed() runs: names of tests, and cases by test
 TIMES = "test_times"  # folder with the processor times of the tests that ran
 SLOWEST = 10
-TESTS_OF_A_CORE = 3  # at once, because many wait for browsers, servers and emulated devices
+TESTS_OF_A_CORE = 4  # at once, because many wait for browsers, servers and emulated devices
 
 
 def cases_of(build, name):
